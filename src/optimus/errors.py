@@ -1,0 +1,34 @@
+"""Named errors. Every one is a child of `OptimusError`, which the command line prints as one line (exit status 2)."""
+
+from collections.abc import Iterable
+
+
+class OptimusError(Exception):
+    """The root of every error that a user can cause and mend."""
+
+
+class UnknownNameError(OptimusError):
+    """A name that is not one of the known ones; the message lists them."""
+
+    def __init__(self, kind: str, name: str, valid: Iterable[str]) -> None:
+        super().__init__(f"unknown {kind} {name!r}; valid: {', '.join(sorted(valid))}")
+
+
+class AssetError(OptimusError):
+    """A model or mesh that could not be fetched, verified or read."""
+
+
+class DatasetError(OptimusError):
+    """A dataset folder or file that is foreign, damaged, or does not fit what is asked of it."""
+
+
+class CheckpointError(OptimusError):
+    """A checkpoint that is foreign, damaged, or was trained for something else."""
+
+
+class StorageError(OptimusError):
+    """A folder that cannot be written, or a full disk."""
+
+
+class ModelError(OptimusError):
+    """A scene that does not compile, or a task whose start cannot be sampled."""
