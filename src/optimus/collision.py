@@ -1,0 +1,79 @@
+"""Is this configuration free, and if not, what is in the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from optimus.scene import World
+from optimus.se3 import Array, Pose
+from optimus.state import State
+
+ROBOT_DEPTH = 0.0005
+"""Contacts of the robot shallower than this are touches, not collisions [m]."""
+HELD_DEPTH = 0.003
+"""Likewise for the thing in the hand, which rests on its support when it is taken and when it is let go [m]."""
+
+
+@dataclass(frozen=True)
+class Blocked:
+    """Why a configuration is not free: the two things that meet (`robot` for any link)."""
+
+    a: str
+    b: str
+
+
+class CollisionChecker:
+    """Collision queries against a state's surroundings. Holds one scratch `MjData`."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self._data = mujoco.MjData(world.model)
+        bodies = world.model.geom_bodyid
+        self._robot_geom = np.isin(bodies, list(world.robot_bodies))
+        self._finger_geom = np.isin(bodies, [*world.finger_bodies, world.hand_body])
+        self._held_geom = np.zeros_like(self._robot_geom)
+        self._held: tuple[int, Pose] | None = None
+
+    def look_at(self, state: State) -> None:
+        """Take the surroundings, the hand's opening and what it holds from `state`; the queries then vary only `q`."""
+        self.world.write_qpos(self._data, state)
+        self._held = None
+        self._held_geom[:] = False
+        if state.held is not None:
+            self._held = (self.world.movable_qpos[state.held.name], state.held.tcp_from_object)
+            self._held_geom = self.world.model.geom_bodyid == self.world.body_ids[state.held.name]
+
+    def check(self, q: Array) -> Blocked | None:
+        """None if `q` `(dof,)` [rad] is free, else one pair that meets."""
+        data, model = self._data, self.world.model
+        data.qpos[self.world.arm_qpos] = q
+        mujoco.mj_kinematics(model, data)
+        if self._held is not None:
+            at, tcp_from_object = self._held
+            pose = self.world.tcp(data) @ tcp_from_object
+            data.qpos[at : at + 3], data.qpos[at + 3 : at + 7] = pose.pos, pose.quat
+            mujoco.mj_kinematics(model, data)
+        mujoco.mj_collision(model, data)
+        return self._worst()
+
+    def _worst(self) -> Blocked | None:
+        contact, n = self._data.contact, self._data.ncon
+        if n == 0:
+            return None
+        geoms = contact.geom[:n]
+        robot, held = self._robot_geom[geoms], self._held_geom[geoms]
+        depth = -contact.dist[:n]
+        with_held = held.any(axis=1)
+        gripped = with_held & self._finger_geom[geoms].any(axis=1)
+        limit = np.where(with_held, HELD_DEPTH, ROBOT_DEPTH)
+        bad = (robot | held).any(axis=1) & ~gripped & (depth > limit)
+        if not bad.any():
+            return None
+        a, b = geoms[int(np.flatnonzero(bad)[0])]
+        return Blocked(self._name(int(a)), self._name(int(b)))
+
+    def _name(self, geom: int) -> str:
+        return self.world.body_names.get(int(self.world.model.geom_bodyid[geom]), "robot")

@@ -1,0 +1,144 @@
+"""The simulated world as a Gymnasium environment: reset, step at 20 Hz, observe, render. No planning in here."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import gymnasium
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.control import CONTROL_HZ, OperationalSpace, OscConfig
+from optimus.data.episode import ACTION_DIM, IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
+from optimus.render import Rig
+from optimus.scene import PHYSICS_DT, Camera, World, compile_scene
+from optimus.se3 import Array
+from optimus.state import State
+from optimus.task import Problem, Task
+
+SUBSTEPS = round(1 / (CONTROL_HZ * PHYSICS_DT))
+FULL_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+SETTLE_SECONDS = 0.25
+"""Physics run after placing the objects, before the first observation."""
+
+
+@lru_cache(maxsize=8)
+def _rig(world: World, size: int) -> Rig:
+    return Rig(world, size)
+
+
+class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
+    """One task. Actions `(7,)` in [-1, 1]: delta position and delta rotation vector of the target (base frame, scaled as
+    `optimus.control` says), then the gripper: above 0 shut, else open. The reward is 1 on strict success, which ends the episode."""
+
+    metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
+
+    def __init__(
+        self, task: Task, images: bool = True, render_mode: str | None = None, osc: OscConfig | None = None
+    ) -> None:
+        self.task, self.images, self.render_mode = task, images, render_mode
+        self._osc = osc
+        self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (ACTION_DIM,), np.float32)
+        self._start(task.problem(0), 0)
+        self.observation_space = gymnasium.spaces.Dict(self._spaces())
+
+    def _spaces(self) -> dict[str, gymnasium.Space[Any]]:
+        spaces: dict[str, gymnasium.Space[Any]] = {
+            name: gymnasium.spaces.Box(-np.inf, np.inf, (size,), np.float32) for name, size in PROPRIOCEPTION.items()
+        }
+        if self.images:
+            for camera in self.world.image_cameras:
+                shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
+                spaces[camera + IMAGE_SUFFIX] = gymnasium.spaces.Box(0, 255, shape, np.uint8)
+        return spaces
+
+    def _start(self, problem: Problem, seed: int) -> None:
+        self.problem, self.episode_seed = problem, seed
+        self.world: World = compile_scene(problem.scene)
+        self.data = mujoco.MjData(self.world.model)
+        self.controller = OperationalSpace(self.world, self._osc)
+        self._steps = 0
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Start the problem of `seed` (drawn at random without one). `options["state"]` `(n,)`: a physics state as
+        `snapshot()` gives it, to start from instead of the problem's own."""
+        super().reset(seed=seed)
+        drawn = int(self.np_random.integers(2**31)) if seed is None else seed
+        self._start(self.task.problem(drawn), drawn)
+        opening = 2 * self.world.scene.robot.finger_travel
+        state = State(self.world.home, opening, self.problem.poses, tcp=self.world.tcp(self.data))
+        self.world.write(self.data, state)
+        self.controller.reset(self.data)
+        self._advance(gripper=-1.0, substeps=round(SETTLE_SECONDS / PHYSICS_DT))
+        if options and "state" in options:
+            mujoco.mj_setState(self.world.model, self.data, np.asarray(options["state"], np.float64), FULL_STATE)
+        mujoco.mj_forward(self.world.model, self.data)
+        self.controller.reset(self.data)
+        return self.observe(), self._info()
+
+    def step(
+        self, action: NDArray[np.float32]
+    ) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
+        command = np.clip(np.asarray(action, np.float64), -1.0, 1.0)
+        self.controller.move_target(command[:6], self.data)
+        self._advance(gripper=float(command[6]), substeps=SUBSTEPS)
+        self._steps += 1
+        success = self.problem.success(self.state())
+        truncated = self._steps >= self.task.horizon
+        return self.observe(), float(success), success, truncated, {"success": success}
+
+    def _advance(self, gripper: float, substeps: int) -> None:
+        model, data, world = self.world.model, self.data, self.world
+        data.ctrl[world.gripper_ctrl] = 0.0 if gripper > 0 else 255.0
+        for _ in range(substeps):
+            mujoco.mj_step1(model, data)
+            data.ctrl[world.arm_ctrl] = self.controller.torque(data)
+            mujoco.mj_step2(model, data)
+        mujoco.mj_step1(model, data)
+
+    def _info(self) -> dict[str, Any]:
+        return {"seed": self.episode_seed, "variant": self.problem.variant}
+
+    def state(self) -> State:
+        """The kinematic snapshot, with what is held."""
+        return self.world.state(self.data)
+
+    def snapshot(self) -> Array:
+        """The full physics state `(n,)`, from which `reset(options={"state": ...})` starts again."""
+        out = np.empty(mujoco.mj_stateSize(self.world.model, FULL_STATE))
+        mujoco.mj_getState(self.world.model, self.data, out, FULL_STATE)
+        return out
+
+    def observe(self) -> Observation:
+        """What an agent may see, under robosuite's names (`robot0_eef_quat` is xyzw, as there)."""
+        tcp = self.world.tcp(self.data)
+        quat = tcp.quat if tcp.quat[1] >= 0 else -tcp.quat
+        fingers = self.data.qpos[self.world.finger_qpos]
+        seen: Observation = {
+            "robot0_eef_pos": tcp.pos.astype(np.float32),
+            "robot0_eef_quat": np.array([*quat[1:], quat[0]], np.float32),
+            "robot0_gripper_qpos": np.array([fingers[0], -fingers[1]], np.float32),
+            "robot0_target_error": self.controller.target_error(self.data).astype(np.float32),
+        }
+        if self.images:
+            rig = _rig(self.world, IMAGE_SIZE)
+            for camera in self.world.image_cameras:
+                seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
+        return seen
+
+    def object_positions(self) -> Array:
+        """`(k, 3)` [m], as the scene orders its movables."""
+        names = self.world.scene.movable_names
+        return np.array([self.world.object_pose(self.data, n).pos for n in names]).reshape(-1, 3)
+
+    def render(self) -> NDArray[np.uint8]:  # type: ignore[override]
+        """A larger picture `(480, 480, 3)` for people."""
+        x, y, z = self.task.close_up
+        return _rig(self.world, 480).view(self.data, Camera("people", (x + 0.9, y - 0.5, z + 0.6), (x, y, z)))
+
+    def close(self) -> None:
+        """Nothing to do: renderers are shared between environments and end with the process."""

@@ -1,0 +1,95 @@
+"""A trained policy on disk: `config.json` (what it is) and `model.safetensors` (weights with the normalisation in them).
+
+Plain JSON and safetensors only: loading one never runs code from the file.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import torch
+from safetensors import SafetensorError
+from safetensors.torch import load as parse
+from safetensors.torch import save as serialise
+from torch import Tensor
+
+from optimus.data.atomic import write_json, write_whole
+from optimus.errors import CheckpointError
+from optimus.learn.policy import Policy
+
+RUN_FORMAT = "optimus-run"
+VERSION = 1
+CONFIG_FILE = "config.json"
+MODEL_FILE = "model.safetensors"
+
+
+def write_config(run: Path, config: Mapping[str, Any]) -> None:
+    """Record what a run is."""
+    write_json(run / CONFIG_FILE, {"format": RUN_FORMAT, "version": VERSION, **config})
+
+
+def read_config(run: Path) -> dict[str, Any]:
+    """What a run is."""
+    file = run / CONFIG_FILE
+    try:
+        config = json.loads(file.read_text())
+    except FileNotFoundError as error:
+        raise CheckpointError(f"{run} holds no trained policy (no {CONFIG_FILE}); name the folder of a training run") from error
+    except (OSError, ValueError) as error:
+        raise CheckpointError(f"cannot read {file} ({error}); train again or name another run") from error
+    if not isinstance(config, dict) or config.get("format") != RUN_FORMAT:
+        raise CheckpointError(f"{file} does not describe a training run of this program; name another folder")
+    if config.get("version") != VERSION:
+        raise CheckpointError(f"{file} has version {config.get('version')!r}; this program reads version {VERSION}")
+    return config
+
+
+def save(run: Path, policy: Policy) -> None:
+    """Write the weights of a policy, whole or not at all."""
+    write_whole(run / MODEL_FILE, serialise(contiguous(policy.state_dict()), {"format": "pt", "task": policy.inputs.task}))
+
+
+def load(run: Path | str, task: str | None = None) -> Policy:
+    """The policy trained in the folder `run`; `CheckpointError` unless it was trained for `task`, if one is named."""
+    run = Path(run)
+    config = read_config(run)
+    trained_for = config.get("inputs", {}).get("task")
+    if task is not None and task != trained_for:
+        raise CheckpointError(f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}")
+    try:
+        policy = Policy.from_description(config)
+    except (KeyError, TypeError, ValueError) as error:
+        raise CheckpointError(f"{run / CONFIG_FILE} does not describe a policy ({error}); train again") from error
+    load_weights(policy, read_tensors(run / MODEL_FILE), run / MODEL_FILE)
+    return policy.eval()
+
+
+def read_tensors(file: Path) -> dict[str, Tensor]:
+    """All tensors of a safetensors file."""
+    try:
+        return parse(file.read_bytes())
+    except FileNotFoundError as error:
+        raise CheckpointError(f"{file} is missing: training has not reached its first checkpoint; train on") from error
+    except (OSError, SafetensorError) as error:
+        raise CheckpointError(f"{file} is damaged ({error}); train again or name another run") from error
+
+
+def load_weights(policy: Policy, tensors: Mapping[str, Tensor], file: Path) -> None:
+    """Put tensors into a policy; `CheckpointError` if they are not exactly its own, or not finite."""
+    own = policy.state_dict()
+    for name in sorted(own.keys() | tensors.keys()):
+        have = tuple(tensors[name].shape) if name in tensors else None
+        want = tuple(own[name].shape) if name in own else None
+        if have != want:
+            raise CheckpointError(f"{file}: {name} has shape {have}, the policy of its {CONFIG_FILE} has {want}; train again")
+        if not torch.isfinite(tensors[name]).all():
+            raise CheckpointError(f"{file}: {name} holds NaN or infinity; train again")
+    policy.load_state_dict(dict(tensors))
+
+
+def contiguous(tensors: Mapping[str, Tensor]) -> dict[str, Tensor]:
+    """The same tensors in the one memory layout that safetensors writes."""
+    return {name: tensor.detach().contiguous() for name, tensor in tensors.items()}

@@ -1,0 +1,167 @@
+"""`Policy`: observations of a window -> distribution over the next action, with its normalisation inside."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+
+from optimus.data.episode import ACTION_DIM
+from optimus.data.windows import Windows
+from optimus.learn.encoder import Encoder, EncoderConfig
+from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
+from optimus.learn.trunk import Transformer, TransformerConfig
+
+_SMALLEST_DEVIATION = 1e-3  # of proprioception [m or 1]: what hardly varies is not blown up
+
+
+@dataclass(frozen=True)
+class PolicyConfig:
+    """The network, whatever the task."""
+
+    context: int = 8
+    """Frames that an action is a function of."""
+    crop: int = 76
+    """Side of the square that is seen of each image [pixels]."""
+    encoder: EncoderConfig = field(default_factory=EncoderConfig)
+    trunk: TransformerConfig = field(default_factory=TransformerConfig)
+    head: MixtureConfig = field(default_factory=MixtureConfig)
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> PolicyConfig:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        rest = {k: v for k, v in value.items() if k not in ("encoder", "trunk", "head")}
+        encoder = EncoderConfig(**{**value["encoder"], "channels": tuple(value["encoder"]["channels"])})
+        return cls(
+            **rest, encoder=encoder, trunk=TransformerConfig(**value["trunk"]), head=MixtureConfig(**value["head"])
+        )
+
+
+@dataclass(frozen=True)
+class PolicyInputs:
+    """What a dataset decides about a policy."""
+
+    task: str
+    cameras: tuple[str, ...]
+    proprioception: dict[str, int]
+    """Name -> size."""
+    objects: int
+    """Positions that the auxiliary head can be taught."""
+
+    @classmethod
+    def of(cls, task: str, windows: Windows) -> PolicyInputs:
+        """The inputs that a dataset has."""
+        sizes = {name: array.shape[1] for name, array in windows.proprioception.items()}
+        return cls(task, windows.cameras, sizes, windows.objects.shape[1])
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        return cls(**{**value, "cameras": tuple(value["cameras"])})
+
+
+class Policy(nn.Module):
+    """Frame features (one encoder a camera, proprioception) -> tokens -> transformer -> mixture."""
+
+    def __init__(self, config: PolicyConfig, inputs: PolicyInputs) -> None:
+        super().__init__()
+        self.config, self.inputs = config, inputs
+        self.encoders = nn.ModuleDict({camera: Encoder(config.encoder) for camera in inputs.cameras})
+        low = sum(_width(name, n) for name, n in inputs.proprioception.items())
+        seen = config.encoder.features * len(inputs.cameras) + low
+        self.embed = nn.Linear(seen, config.trunk.width)
+        self.trunk = Transformer(config.trunk, config.context)
+        self.head = MixtureHead(config.head, config.trunk.width, ACTION_DIM)
+        self.locate = nn.Linear(seen, 3 * inputs.objects)
+        for name, size in (("low", low), ("objects", 3 * inputs.objects)):
+            self.register_buffer(f"{name}_mean", torch.zeros(size))
+            self.register_buffer(f"{name}_deviation", torch.ones(size))
+        self.register_buffer("action_scale", torch.ones(ACTION_DIM))
+        self.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
+
+    def fit_normalisation(self, windows: Windows) -> None:
+        """Set the normalisation statistics from all steps of some episodes."""
+        low = self._low({n: torch.from_numpy(a) for n, a in windows.proprioception.items()}).double()
+        objects = torch.from_numpy(windows.objects).flatten(1).double()
+        for name, values in (("low", low), ("objects", objects)):
+            getattr(self, f"{name}_mean").copy_(values.mean(0))
+            getattr(self, f"{name}_deviation").copy_(values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION))
+        # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9 because the means
+        # pass through a tanh. The gripper is +-1 already.
+        largest = np.abs(windows.actions).max(0)
+        for part in (slice(0, 3), slice(3, 6)):
+            self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
+
+    def frames(self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor], half: bool = False) -> Tensor:
+        """Features of frames seen one by one.
+
+        Images `(..., crop, crop, 3)` uint8 by camera and proprioception `(..., n)` by name to `(..., m)`.
+        """
+        shape = next(iter(proprioception.values())).shape[:-1]
+        seen = [self.encoders[c](images[c].flatten(0, -4), half).reshape(*shape, -1) for c in self.inputs.cameras]
+        low = (self._low(proprioception) - self.low_mean) / self.low_deviation
+        return torch.cat([*seen, low.clamp(-5, 5)], -1)
+
+    def tokens(self, frames: Tensor) -> Tensor:
+        """Frame features `(..., m)` to tokens `(..., width)`."""
+        return self.embed(frames)
+
+    def features(self, tokens: Tensor, noise: torch.Generator | None = None) -> Tensor:
+        """Tokens `(B, C, width)` of windows to features of each position `(B, C, width)`."""
+        return self.trunk(tokens, noise)
+
+    def mixture(self, features: Tensor) -> Mixture:
+        """Features to a distribution over normalised actions."""
+        return self.head(features)
+
+    def normalise(self, actions: Tensor) -> Tensor:
+        """Actions `(..., 7)` to what the head is taught."""
+        return actions / self.action_scale
+
+    def denormalise(self, actions: Tensor) -> Tensor:
+        """The inverse of `normalise`."""
+        return actions * self.action_scale
+
+    def located(self, frames: Tensor) -> Tensor:
+        """Frame features `(..., m)` to normalised positions of the objects `(..., 3 k)`."""
+        return self.locate(frames)
+
+    def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
+        """Smooth absolute error of the objects' positions, from frame features and `(..., k, 3)` [m], shape `(...)`."""
+        target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
+        return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
+
+    def description(self) -> dict[str, Any]:
+        """What `Policy.from_description` needs, JSON-able."""
+        return {"policy": asdict(self.config), "inputs": asdict(self.inputs)}
+
+    @classmethod
+    def from_description(cls, value: Mapping[str, Any]) -> Policy:
+        """A policy of this shape, with weights yet to be loaded."""
+        return cls(PolicyConfig.from_json(value["policy"]), PolicyInputs.from_json(value["inputs"]))
+
+    def _low(self, proprioception: Mapping[str, Tensor]) -> Tensor:
+        """Low-dimensional observations in one vector; quaternions as two columns of their rotation matrix."""
+        parts = [(name, proprioception[name]) for name in self.inputs.proprioception]
+        return torch.cat([_two_columns(x) if _is_quaternion(name) else x for name, x in parts], -1)
+
+
+def _is_quaternion(name: str) -> bool:
+    return name.endswith("_quat")
+
+
+def _width(name: str, size: int) -> int:
+    return 6 if _is_quaternion(name) else size
+
+
+def _two_columns(quaternion: Tensor) -> Tensor:
+    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`: `q` and `-q` are the same to it."""
+    x, y, z, w = F.normalize(quaternion, dim=-1).unbind(-1)
+    first = (1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w))
+    second = (2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w))
+    return torch.stack([*first, *second], -1)

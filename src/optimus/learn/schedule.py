@@ -1,0 +1,43 @@
+"""How many steps there are and what the learning rate is at each: pure functions of a recorded plan."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class StepPlan:
+    """Progress, 0 to 1, grows linearly from `progress` at step `start` to 1 at step `steps`."""
+
+    steps: int
+    start: int = 0
+    progress: float = 0.0
+
+    def at(self, step: int) -> float:
+        """Progress when `step` steps have been taken."""
+        if step >= self.steps:
+            return 1.0
+        return self.progress + (1 - self.progress) * (step - self.start) / (self.steps - self.start)
+
+    def revised(self, step: int, seconds_left: float, seconds_a_step: float) -> StepPlan:
+        """The plan that ends with the time, if this one would miss it by more than a twentieth; progress has no jump."""
+        steps = step + max(1, round(seconds_left / seconds_a_step))
+        if step >= self.steps or abs(steps - self.steps) <= 0.05 * (self.steps - step):
+            return self
+        return StepPlan(steps, step, self.at(step))
+
+
+@dataclass(frozen=True)
+class RateConfig:
+    """A cosine from `first` to `last`, after a linear rise."""
+
+    first: float = 1e-3
+    last: float = 1e-4
+    warm_up: int = 50
+    """Steps of the rise."""
+
+    def at(self, step: int, progress: float) -> float:
+        """The learning rate of the step after `step` others."""
+        rise = min(1.0, (step + 1) / max(1, self.warm_up))
+        return rise * (self.last + 0.5 * (self.first - self.last) * (1 + math.cos(math.pi * progress)))

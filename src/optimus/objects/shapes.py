@@ -1,0 +1,139 @@
+"""Shapes: what an object is made of, how heavy it is, where a hand may take it, and what may rest on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from optimus.se3 import Pose, quat_from_matrix
+
+Vec3 = tuple[float, float, float]
+Rgba = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class Part:
+    """One convex primitive in the object's frame: MuJoCo's half-size convention [m], position [m], quaternion wxyz."""
+
+    kind: Literal["box", "cylinder", "sphere"]
+    size: tuple[float, ...]
+    pos: Vec3 = (0.0, 0.0, 0.0)
+    quat: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """Where the tcp goes to take an object, `object_from_tcp`; the tcp's z axis approaches, the fingers close along its y."""
+
+    pos: Vec3
+    quat: tuple[float, float, float, float]
+
+    @property
+    def pose(self) -> Pose:
+        return Pose(np.array(self.pos), np.array(self.quat))
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A horizontal rectangle of the object's frame on which things may rest: height `z` and half-sizes [m]."""
+
+    z: float
+    half_x: float
+    half_y: float
+
+
+@dataclass(frozen=True)
+class Shape:
+    """An object type. The frame's origin is the centre of the bounding box, z up when it stands as it should."""
+
+    kind: str
+    parts: tuple[Part, ...]
+    half_extents: Vec3
+    mass: float
+    rgba: Rgba
+    grasps: tuple[Grasp, ...] = ()
+    surface: Surface | None = None
+    symmetric: bool = False
+    """True for a body of revolution about z: its yaw means nothing."""
+
+
+def _top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:
+    """From straight above, tcp at height `z` of the object's frame, fingers closing along the direction `yaw` [rad]."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    # columns: tcp x, y (closing direction), z (down)
+    matrix = np.array([[s, c, 0.0], [-c, s, 0.0], [0.0, 0.0, -1.0]])
+    w, qx, qy, qz = quat_from_matrix(matrix)
+    return Grasp((x, y, z), (float(w), float(qx), float(qy), float(qz)))
+
+
+def block(edge: float, rgba: Rgba, mass: float = 0.05) -> Shape:
+    """A cube of the given edge length [m]."""
+    half = edge / 2
+    return Shape(
+        kind="block",
+        parts=(Part("box", (half, half, half)),),
+        half_extents=(half, half, half),
+        mass=mass,
+        rgba=rgba,
+        grasps=tuple(_top_grasp(k * np.pi / 2, 0.0) for k in range(4)),
+        surface=Surface(half, half, half),
+    )
+
+
+def cylinder(radius: float, height: float, rgba: Rgba, mass: float = 0.08) -> Shape:
+    """An upright cylinder [m], taken from above across its diameter."""
+    half = height / 2
+    return Shape(
+        kind="cylinder",
+        parts=(Part("cylinder", (radius, half)),),
+        half_extents=(radius, radius, half),
+        mass=mass,
+        rgba=rgba,
+        grasps=tuple(_top_grasp(k * np.pi / 8, max(0.0, half - 0.025)) for k in range(16)),
+        surface=Surface(half, radius / np.sqrt(2), radius / np.sqrt(2)),
+        symmetric=True,
+    )
+
+
+def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.004, sides: int = 12) -> Shape:
+    """An open vessel [m]: a floor and a ring of `sides` wall panels, taken from above across its mouth."""
+    half = height / 2
+    panel = Part("box", (wall / 2, radius * np.tan(np.pi / sides), half))
+    walls = []
+    for k in range(sides):
+        angle = 2 * np.pi * k / sides
+        centre = radius - wall / 2
+        walls.append(
+            Part(
+                "box",
+                panel.size,
+                (float(centre * np.cos(angle)), float(centre * np.sin(angle)), 0.0),
+                (float(np.cos(angle / 2)), 0.0, 0.0, float(np.sin(angle / 2))),
+            )
+        )
+    floor = Part("cylinder", (radius - wall, wall), (0.0, 0.0, wall - half))
+    return Shape(
+        kind="cup",
+        parts=(floor, *walls),
+        half_extents=(radius, radius, half),
+        mass=mass,
+        rgba=rgba,
+        # one grasp a pair of opposite panels, so that the pads meet flat faces
+        grasps=tuple(_top_grasp(2 * np.pi * k / sides, half - 0.025) for k in range(sides)),
+        symmetric=True,
+    )
+
+
+def slab(half_x: float, half_y: float, thickness: float, rgba: Rgba) -> Shape:
+    """A fixed plate (a table top, a platform) whose upper face carries things; half-sizes and thickness [m]."""
+    half = thickness / 2
+    return Shape(
+        kind="slab",
+        parts=(Part("box", (half_x, half_y, half)),),
+        half_extents=(half_x, half_y, half),
+        mass=1.0,
+        rgba=rgba,
+        surface=Surface(half, half_x, half_y),
+    )

@@ -1,0 +1,87 @@
+"""Every fact that plans and goals are made of, each with its geometric test on a `State`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from optimus.logic import Atom, Facts, Predicate, evaluate
+from optimus.scene import Scene
+from optimus.se3 import Pose
+from optimus.state import State
+
+REST_GAP = 0.006
+"""A thing rests on a surface when its underside is within this of it [m]."""
+REST_SPEED = 0.01
+"""... and it is settled below this speed [m/s]."""
+UPRIGHT = 0.97
+"""The cosine of the largest tilt at which a thing still counts as standing (14 degrees)."""
+HAND_CLEAR = 0.05
+"""The hand is clear of a thing when the tcp is this far above or beside it [m]."""
+
+
+def pose_of(scene: Scene, state: State, name: str) -> Pose:
+    """`base_from_thing` of a movable or a fixture."""
+    return state.poses[name] if name in state.poses else scene.fixture_poses[name]
+
+
+def _on(scene: Scene, state: State, thing: str, support: str) -> bool:
+    surface = scene.shape_of(support).surface
+    if surface is None or _holding(scene, state, thing):
+        return False
+    pose, under = state.poses[thing], pose_of(scene, state, support)
+    upright = abs(pose.matrix[2, 2])
+    half = scene.shape_of(thing).half_extents
+    if max(np.abs(pose.matrix[2])) < UPRIGHT or under.matrix[2, 2] < UPRIGHT:
+        return False
+    # which of the thing's own axes points up says which half extent it stands on
+    height = half[2] if upright >= UPRIGHT else float(np.abs(pose.matrix[2]) @ np.array(half))
+    local = under.inverse.transform(pose.pos)
+    inside = abs(local[0]) <= surface.half_x and abs(local[1]) <= surface.half_y
+    return bool(inside and abs(local[2] - height - surface.z) < REST_GAP)
+
+
+def _holding(scene: Scene, state: State, thing: str) -> bool:
+    return state.held is not None and state.held.name == thing
+
+
+def _hand_empty(scene: Scene, state: State) -> bool:
+    return state.held is None
+
+
+def _clear(scene: Scene, state: State, thing: str) -> bool:
+    return not any(_on(scene, state, other, thing) for other in state.poses if other != thing)
+
+
+def _released(scene: Scene, state: State, thing: str) -> bool:
+    if _holding(scene, state, thing) or thing in state.touched:
+        return False
+    if state.speeds.get(thing, 0.0) > REST_SPEED:
+        return False
+    local = np.abs(state.poses[thing].inverse.transform(state.tcp.pos)) - np.array(scene.shape_of(thing).half_extents)
+    return bool(np.linalg.norm(np.maximum(local, 0.0)) >= HAND_CLEAR)
+
+
+On = Predicate("On", ("movable", "support"), _on)
+Holding = Predicate("Holding", ("movable",), _holding)
+HandEmpty = Predicate("HandEmpty", (), _hand_empty)
+Clear = Predicate("Clear", ("movable",), _clear)
+Released = Predicate("Released", ("movable",), _released)
+
+PREDICATES: dict[str, Predicate] = {p.name: p for p in (On, Holding, HandEmpty, Clear, Released)}
+
+
+def kinds_of(scene: Scene) -> dict[str, tuple[str, ...]]:
+    """The names in a scene, by kind: movables, fixtures, and all that can carry something."""
+    fixtures = tuple(f.name for f in scene.fixtures if f.shape.surface is not None)
+    carriers = tuple(m.name for m in scene.movables if m.shape.surface is not None)
+    return {"movable": scene.movable_names, "fixture": fixtures, "carrier": carriers, "support": (*carriers, *fixtures)}
+
+
+def holds(scene: Scene, state: State, atom: Atom) -> bool:
+    """Whether one atom holds in `state`."""
+    return PREDICATES[atom.predicate].holds(scene, state, *atom.args)
+
+
+def facts_of(scene: Scene, state: State) -> Facts:
+    """All that holds in `state`."""
+    return evaluate(PREDICATES.values(), kinds_of(scene), scene, state)

@@ -1,0 +1,37 @@
+"""`State`: a kinematic snapshot of the world, in numpy alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from optimus.se3 import Array, Pose
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """What the hand holds: the movable's name and `tcp_from_object`."""
+
+    name: str
+    tcp_from_object: Pose
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Where everything is. Planning makes such states; `World.state` reads one off a running simulation.
+
+    `q` `(dof,)` [rad]; `opening` is the distance between the fingers [m]; `poses` are `base_from_object`; `touched` are the
+    movables in contact with the robot; `speeds` [m/s] are zero where not given (a planned state is at rest); `tcp` is
+    `base_from_tcp`.
+    """
+
+    q: Array
+    opening: float
+    poses: dict[str, Pose]
+    tcp: Pose
+    held: Held | None = None
+    touched: frozenset[str] = frozenset()
+    speeds: dict[str, float] = field(default_factory=dict)
+
+    def moved(self, name: str, pose: Pose) -> State:
+        """The same state with one movable elsewhere."""
+        return replace(self, poses={**self.poses, name: pose})

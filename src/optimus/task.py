@@ -1,0 +1,61 @@
+"""`Task`: a family of problems, each drawn from one seed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from optimus.errors import ModelError
+from optimus.logic import Facts
+from optimus.predicates import Released, holds
+from optimus.scene import Scene
+from optimus.se3 import Pose
+from optimus.state import State
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """One instance: the scene, where its movables start, and the goal. `variant` names what else was drawn (an object, say)."""
+
+    scene: Scene
+    poses: dict[str, Pose]
+    goal: Facts
+    variant: str = ""
+
+    def success(self, state: State) -> bool:
+        """The strict rule: every atom of the goal holds, released, settled and the hand clear among them."""
+        return all(holds(self.scene, state, atom) for atom in self.goal)
+
+    def paper_success(self, state: State) -> bool:
+        """The paper's rule, which never asks for release."""
+        return all(holds(self.scene, state, atom) for atom in self.goal if atom.predicate != Released.name)
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task: its name, how a problem is drawn, and how many 20 Hz steps an agent has."""
+
+    name: str
+    summary: str
+    draw: Callable[[np.random.Generator], Problem]
+    horizon: int
+    close_up: tuple[float, float, float] = field(default=(0.55, 0.0, 0.05))
+    """What pictures for people are centred on [m]."""
+
+    def problem(self, seed: int) -> Problem:
+        """The problem of that seed: the same one every time, on every machine."""
+        return self.draw(np.random.default_rng([seed, 0x0971]))
+
+
+def sample_apart(
+    rng: np.random.Generator, radii: list[float], low: tuple[float, float], high: tuple[float, float], gap: float = 0.01
+) -> Iterator[tuple[float, float]]:
+    """Positions [m], uniform in the box, of discs that do not overlap; `ModelError` if they do not fit."""
+    for _ in range(1000):
+        points = [rng.uniform(low, high) for _ in radii]
+        pairs = [(i, j) for i in range(len(radii)) for j in range(i)]
+        if all(np.linalg.norm(points[i] - points[j]) >= radii[i] + radii[j] + gap for i, j in pairs):
+            return iter([(float(p[0]), float(p[1])) for p in points])
+    raise ModelError(f"{len(radii)} things of radii {radii} m do not fit between {low} and {high}")
