@@ -1,0 +1,47 @@
+"""Straight lines of the tcp, tracked by the arm without a jump and checked for collision."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from optimus.collision import Blocked, CollisionChecker
+from optimus.kinematics import Kinematics
+from optimus.se3 import Array, Pose, error_between, interpolate
+
+LINE_STEP = 0.015
+"""Largest distance between waypoints [m]."""
+TURN_WEIGHT = 0.2
+"""A turn of one radian counts as this many metres of motion."""
+MAX_JOINT_STEP = 0.35
+"""A larger change between waypoints is a jump to another arm configuration, not a motion [rad]."""
+
+UNREACHABLE = Blocked("robot", "its joint limits")
+
+
+def distance(a: Pose, b: Pose) -> float:
+    """How far apart two poses are [m], a turn counted by `TURN_WEIGHT`."""
+    error = error_between(a, b)
+    return max(float(np.linalg.norm(error[:3])), TURN_WEIGHT * float(np.linalg.norm(error[3:])))
+
+
+def track(
+    kinematics: Kinematics, checker: CollisionChecker, q: Array, corners: Sequence[Pose]
+) -> tuple[Array, tuple[Pose, ...]] | Blocked:
+    """The joint path `(T, dof)` and its poses along the lines from the pose of `q` through `corners`; or what prevents it."""
+    path, poses = [q], [kinematics.fk(q)]
+    for corner in corners:
+        start = poses[-1]
+        steps = int(np.ceil(distance(start, corner) / LINE_STEP))
+        for i in range(1, steps + 1):
+            pose = interpolate(start, corner, i / steps)
+            here = kinematics.refine(path[-1], pose)
+            if here is None or np.abs(here - path[-1]).max() > MAX_JOINT_STEP:
+                return UNREACHABLE
+            blocked = checker.check(here)
+            if blocked is not None:
+                return blocked
+            path.append(here)
+            poses.append(pose)
+    return np.array(path), tuple(poses)

@@ -1,0 +1,133 @@
+"""The planner: search a skeleton, bind it lazily with backtracking, learn from geometric failure, try the next."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from optimus.logic import Facts, Operator, Skeleton, applicable, obstructs, skeletons
+from optimus.motion.plan import Infeasible, Plan, Step
+from optimus.predicates import facts_of, holds
+from optimus.skills import SKILLS, Workspace
+from optimus.state import State
+
+
+@dataclass(frozen=True)
+class Budget:
+    """When to give up."""
+
+    seconds: float = 10.0
+    """CPU time."""
+    skeletons: int = 50
+    refinements: int = 8
+    """Ways of one skill tried before the planner backtracks to the one before it."""
+
+
+@dataclass(eq=False)
+class _Binding:
+    """One attempt to refine a skeleton, and the deepest point at which it failed."""
+
+    workspace: Workspace
+    rng: np.random.Generator
+    deadline: float
+    budget: Budget
+    deepest: int = -1
+    blame: Counter[str] = field(default_factory=Counter)
+    culprit: Operator | None = None
+
+    def bind(self, skeleton: Skeleton, state: State, depth: int = 0) -> tuple[Step, ...] | None:
+        """The steps that carry `skeleton` out from `state`, or None."""
+        if not skeleton:
+            return ()
+        operator = skeleton[0]
+        self.workspace.failures.clear()
+        for tried, (segments, after) in enumerate(self._refinements(operator, state)):
+            rest = None
+            if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
+                rest = self.bind(skeleton[1:], after, depth + 1)
+            if rest is not None:
+                return (Step(operator, segments, after), *rest)
+            if tried + 1 >= self.budget.refinements or time.process_time() > self.deadline:
+                break
+            self.workspace.failures.clear()
+        self._remember(operator, depth)
+        return None
+
+    def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
+        return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
+
+    def _remember(self, operator: Operator, depth: int) -> None:
+        if depth > self.deepest:
+            self.deepest, self.culprit = depth, operator
+            names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
+            self.blame = Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+
+
+def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
+    """Every ground operator of the scene."""
+    return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
+
+
+def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
+    """The operators, those that pick a thing up also deleting what was learned of its being in the way."""
+    from dataclasses import replace
+
+    freed = {o: frozenset(a for a in learned if o.skill == "pick" and a.args[0] == o.args[0]) for o in operators}
+    return tuple(replace(o, deletes=o.deletes | freed[o]) if freed[o] else o for o in operators)
+
+
+def solve(
+    workspace: Workspace, state: State, goal: Facts, rng: np.random.Generator, budget: Budget | None = None
+) -> Plan | Infeasible:
+    """A plan from `state` to `goal`, or why there is none. Never raises for a problem without a solution."""
+    budget = budget or Budget()
+    began = time.process_time()
+    deadline = began + budget.seconds
+    facts, learned = facts_of(workspace.scene, state), frozenset()
+    ground_operators = operators_of(workspace, facts)
+    failed: set[tuple[str, ...]] = set()
+    last = Infeasible("no sequence of skills reaches the goal")
+    for tried in range(budget.skeletons):
+        operators = with_unblocking(ground_operators, learned)
+        skeleton = _next(skeletons(facts | learned, goal, operators), failed)
+        if skeleton is None:
+            return last
+        binding = _Binding(workspace, rng, deadline, budget)
+        steps = binding.bind(skeleton, state)
+        if steps is not None:
+            stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
+            return Plan(state, steps, stats)
+        failed.add(tuple(map(str, skeleton)))
+        last = _explain(binding)
+        learned = learned | _lesson(binding, workspace)
+        if time.process_time() > deadline:
+            return last
+    return last
+
+
+def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skeleton | None:
+    return next((s for s in candidates if tuple(map(str, s)) not in failed), None)
+
+
+def _lesson(binding: _Binding, workspace: Workspace) -> Facts:
+    """The movables that stood in the way of the skill that could not be done."""
+    if binding.culprit is None:
+        return frozenset()
+    movable = [n for n in binding.blame if n in workspace.scene.movable_names]
+    return frozenset(obstructs(name, binding.culprit) for name in movable)
+
+
+def _explain(binding: _Binding) -> Infeasible:
+    if binding.culprit is None:
+        return Infeasible("planning time spent")
+    o = binding.culprit
+    blockers = tuple(name for name, _ in binding.blame.most_common())
+    reason = "out of reach" if blockers == ("its joint limits",) else "no collision-free way" if blockers else "no room"
+    return Infeasible(reason, o.skill, o.args, blockers)
+
+
+__all__ = ["Budget", "Workspace", "applicable", "solve"]

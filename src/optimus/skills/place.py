@@ -1,0 +1,127 @@
+"""Place: put what is held down on a fixture. Stack: put it down on another movable. They differ in where, not in how."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import ClassVar
+
+import numpy as np
+
+from optimus.logic import Facts, Operator, ground
+from optimus.objects.shapes import Surface
+from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of
+from optimus.scene import Scene
+from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat
+from optimus.skills.skill import Refinement, Workspace, gripper_action
+from optimus.state import State
+
+RELEASE_GAP = 0.001
+"""Things are let go this far above their support [m]."""
+SPACING = 0.05
+"""Between the candidate spots of a surface [m]."""
+MARGIN = 0.015
+"""Kept from a surface's edge, and between things [m]."""
+
+
+class Place:
+    """place(thing, fixture)"""
+
+    name: ClassVar[str] = "place"
+    kinds: ClassVar[tuple[str, str]] = ("movable", "fixture")
+
+    def operators(self, scene: Scene, facts: Facts) -> Iterator[Operator]:
+        for thing, support in ground(kinds_of(scene), self.kinds):
+            covered = {Clear(support)} if support in scene.movable_names else set()
+            yield Operator(
+                skill=self.name,
+                args=(thing, support),
+                needs=frozenset({Holding(thing), *covered}),
+                adds=frozenset({On(thing, support), HandEmpty(), Released(thing)}),
+                deletes=frozenset({Holding(thing), *covered}),
+            )
+
+    def spots(self, workspace: Workspace, state: State, thing: str, support: str) -> Iterator[Array]:
+        """Free points `(3,)` [m] of the support's surface, the nearest to its middle first."""
+        shape = workspace.scene.shape_of(support)
+        assert shape.surface is not None
+        frame = pose_of(workspace.scene, state, support)
+        radius = float(np.hypot(*workspace.scene.shape_of(thing).half_extents[:2]))
+        for x, y in _grid(shape.surface, radius + MARGIN):
+            point = frame.transform((x, y, shape.surface.z))
+            if all(self._apart(workspace, state, point, radius, other) for other in state.poses if other != thing):
+                yield point
+
+    def _apart(self, workspace: Workspace, state: State, point: Array, radius: float, other: str) -> bool:
+        reach = radius + float(np.hypot(*workspace.scene.shape_of(other).half_extents[:2])) + MARGIN
+        return bool(np.linalg.norm(state.poses[other].pos[:2] - point[:2]) > reach)
+
+    def targets(
+        self, workspace: Workspace, state: State, thing: str, support: str, rng: np.random.Generator
+    ) -> Iterator[Pose]:
+        """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical."""
+        assert state.held is not None
+        upright = _levelled(state.tcp, workspace.home)
+        height = state.tcp.pos[2] - _lowest(workspace, state, thing)
+        for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
+            for yaw in workspace.order([0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4], rng):
+                quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
+                # the thing, not the tcp, goes over the spot
+                offset = Pose(np.zeros(3), quat).transform(state.held.tcp_from_object.pos)
+                pos = np.array([*(point - offset)[:2], point[2] + height + RELEASE_GAP])
+                yield Pose(pos, quat)
+
+    def refine(
+        self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
+    ) -> Iterator[Refinement]:
+        thing, support = args
+        assert state.held is not None
+        height = workspace.transit_height(state)
+        for goal in self.targets(workspace, state, thing, support, rng):
+            corners = workspace.over_and_down(state, goal, height)
+            carry = workspace.travel("carry", state, corners, True, rng, via=True)
+            if carry is None:
+                continue
+            q = carry.q[-1]
+            put = goal @ state.held.tcp_from_object
+            left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
+            up = goal.shifted((0.0, 0.0, max(workspace.transit_height(left) - goal.pos[2], workspace.style.approach)))
+            retreat = workspace.travel("retreat", left, [up], False, rng)
+            if retreat is None:
+                continue
+            after = replace(left, q=retreat.q[-1], tcp=up)
+            yield (carry, gripper_action("open", q, goal, False), retreat), after
+
+
+class Stack(Place):
+    """stack(thing, other movable)"""
+
+    name: ClassVar[str] = "stack"
+    kinds: ClassVar[tuple[str, str]] = ("movable", "carrier")
+
+    def spots(self, workspace: Workspace, state: State, thing: str, support: str) -> Iterator[Array]:
+        """The middle of the other thing's top, and nothing else."""
+        shape = workspace.scene.shape_of(support)
+        assert shape.surface is not None
+        yield pose_of(workspace.scene, state, support).transform((0.0, 0.0, shape.surface.z))
+
+
+def _grid(surface: Surface, inset: float) -> list[tuple[float, float]]:
+    """Points of a surface `inset` away from its edges, the middle first, then outwards."""
+    spans = []
+    for half in (surface.half_x, surface.half_y):
+        n = max(0, int((half - inset) / SPACING))
+        spans.append([k * SPACING for k in range(-n, n + 1)])
+    points = [(x, y) for x in spans[0] for y in spans[1]]
+    return sorted(points, key=lambda p: (round(float(np.hypot(*p)), 6), p))
+
+
+def _levelled(tcp: Pose, home: Pose) -> Array:
+    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt: what is held stays as upright as it is."""
+    turn = rotvec_from_quat(quat_mul(home.quat, tcp.quat * np.array([1.0, -1.0, -1.0, -1.0])))
+    return quat_mul(quat_from_rotvec((0.0, 0.0, turn[2])), tcp.quat)
+
+
+def _lowest(workspace: Workspace, state: State, thing: str) -> float:
+    """The height of the held thing's lowest point [m], by its bounding box."""
+    return 2 * state.poses[thing].pos[2] - workspace.top_of(state, thing)
