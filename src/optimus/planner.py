@@ -5,11 +5,11 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from optimus.logic import Facts, Operator, Skeleton, applicable, obstructs, skeletons
+from optimus.logic import Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.predicates import facts_of, holds
 from optimus.skills import SKILLS, Workspace
@@ -74,8 +74,6 @@ def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
 
 def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
     """The operators, those that pick a thing up also deleting what was learned of its being in the way."""
-    from dataclasses import replace
-
     freed = {o: frozenset(a for a in learned if o.skill == "pick" and a.args[0] == o.args[0]) for o in operators}
     return tuple(replace(o, deletes=o.deletes | freed[o]) if freed[o] else o for o in operators)
 
@@ -129,5 +127,3 @@ def _explain(binding: _Binding) -> Infeasible:
     reason = "out of reach" if blockers == ("its joint limits",) else "no collision-free way" if blockers else "no room"
     return Infeasible(reason, o.skill, o.args, blockers)
 
-
-__all__ = ["Budget", "Workspace", "applicable", "solve"]

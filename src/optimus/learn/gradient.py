@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Literal
@@ -18,7 +18,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from optimus.data.windows import Batch, Windows
+from optimus.data.windows import Batch, WindowConfig, Windows
 from optimus.learn.policy import Policy
 
 
@@ -42,6 +42,10 @@ class LossConfig:
     """Whether the actions at all frames of a window are learned (contexts of 1 to 8 frames) or only that at its last one."""
     location_weight: float = 0.0
     """Weight of the auxiliary error of the objects' positions, decoded from single frames."""
+
+    def labels(self, cut: WindowConfig) -> int:
+        """Labels in a batch, those near the start of an episode included that are left out."""
+        return self.runs * cut.windows * (cut.context if self.supervise == "all" else 1)
 
 
 @dataclass(frozen=True)
@@ -117,12 +121,16 @@ def tensors(arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Tensor]:
     return {name: torch.from_numpy(array) for name, array in arrays.items()}
 
 
+def candidate_runtimes(runs: int) -> list[Runtime]:
+    """One thread and all cores, in float32 and in bfloat16."""
+    cores = min(len(os.sched_getaffinity(0)), runs)
+    return [Runtime(shards, half) for shards in sorted({1, cores}) for half in (False, True)]
+
+
 def fastest_runtime(
-    policy: Policy, windows: Windows, config: LossConfig, seed: int, cores: int | None = None
+    policy: Policy, windows: Windows, config: LossConfig, seed: int, candidates: Sequence[Runtime]
 ) -> tuple[Runtime, float]:
-    """Time the candidates on real steps, without taking any; the fastest and its seconds a step."""
-    cores = min(cores or len(os.sched_getaffinity(0)), config.runs)
-    candidates = [Runtime(shards, half) for shards in sorted({1, cores}) for half in (False, True)]
+    """Time the candidates on gradients of real steps, without taking any; the fastest, and its seconds a step."""
     seconds = {}
     for runtime in candidates:
         workers = GradientWorkers(policy, windows, config, runtime, seed)

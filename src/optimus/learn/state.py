@@ -9,19 +9,126 @@ from __future__ import annotations
 import copy
 import json
 import re
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import torch
-from safetensors import safe_open
+from safetensors import SafetensorError, safe_open
 from safetensors.torch import save as serialise
-from torch import Tensor
+from torch import Tensor, nn
 
 from optimus.data.atomic import make_folder, remove_leftovers, write_whole
-from optimus.errors import CheckpointError, TrainingError
+from optimus.errors import CheckpointError
 from optimus.learn.checkpoint import contiguous, load_weights, read_tensors
 from optimus.learn.policy import Policy
 from optimus.learn.schedule import StepPlan
 
 _NAME = re.compile(r"(\d{8,})\.safetensors")
 _FORMAT = "optimus-train-state"
+_MOMENTS = ("exp_avg", "exp_avg_sq")
+
+
+@dataclass(frozen=True)
+class OptimiserConfig:
+    """AdamW, clipped, with a running average of the weights."""
+
+    weight_decay: float = 0.01
+    """On matrices and convolutions only."""
+    clip: float = 1.0
+    """Largest norm of the gradient."""
+    average: float = 0.995
+    """Decay of the running average, which is the policy that is kept."""
+
+
+class TrainState:
+    """Weights, their running average, optimiser moments, step, plan, and the training time consumed."""
+
+    def __init__(self, policy: Policy, config: OptimiserConfig, plan: StepPlan) -> None:
+        self.policy, self.config, self.plan = policy, config, plan
+        self.average = copy.deepcopy(policy).requires_grad_(False)
+        self.step, self.seconds = 0, 0.0
+        self._parameters = [p for p in policy.parameters() if p.requires_grad]
+        matrices = [p for p in self._parameters if p.ndim >= 2]
+        vectors = [p for p in self._parameters if p.ndim < 2]
+        groups = [{"params": matrices, "weight_decay": config.weight_decay}, {"params": vectors, "weight_decay": 0.0}]
+        self.optimiser = torch.optim.AdamW(groups, fused=True)
+
+    def update(self, gradient: list[Tensor], rate: float) -> float:
+        """Take one step down the gradient; its norm before clipping is returned."""
+        for parameter, g in zip(self._parameters, gradient, strict=True):
+            parameter.grad = g
+        norm = float(nn.utils.clip_grad_norm_(self._parameters, self.config.clip))
+        for group in self.optimiser.param_groups:
+            group["lr"] = rate
+        self.optimiser.step()
+        self.step += 1
+        # Early on a short memory: the first weights are random and not worth averaging in.
+        decay = min(self.config.average, (1 + self.step) / (10 + self.step))
+        with torch.no_grad():
+            for mean, raw in zip(self.average.parameters(), self.policy.parameters(), strict=True):
+                mean.lerp_(raw, 1 - decay)
+        return norm
+
+    def save(self, folder: Path) -> None:
+        """Write the state, then delete the older ones."""
+        make_folder(folder)
+        facts = {"step": self.step, "seconds": self.seconds, "plan": asdict(self.plan)}
+        payload = serialise(contiguous(self._tensors()), {"format": _FORMAT, "state": json.dumps(facts)})
+        newest = folder / f"{self.step:08d}.safetensors"
+        write_whole(newest, payload)
+        for path in folder.iterdir():
+            if _NAME.fullmatch(path.name) and path != newest:
+                path.unlink(missing_ok=True)
+
+    def restore(self, folder: Path) -> bool:
+        """Go on from the newest state in `folder`; false if there is none."""
+        if not folder.is_dir():
+            return False
+        remove_leftovers(folder)
+        found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
+        if not found:
+            return False
+        file = found[-1]
+        facts, tensors = _facts(file), read_tensors(file)
+        load_weights(self.policy, _part(tensors, "raw."), file)
+        load_weights(self.average, _part(tensors, "average."), file)
+        self._load_moments(_part(tensors, "moments."), file, int(facts["step"]))
+        self.step, self.seconds = int(facts["step"]), float(facts["seconds"])
+        self.plan = StepPlan(**facts["plan"])
+        return True
+
+    def _tensors(self) -> dict[str, Tensor]:
+        tensors = {f"raw.{name}": value for name, value in self.policy.state_dict().items()}
+        tensors |= {f"average.{name}": value for name, value in self.average.state_dict().items()}
+        for name, parameter in self.policy.named_parameters():
+            for moment in _MOMENTS:
+                value = self.optimiser.state[parameter].get(moment)
+                tensors[f"moments.{name}.{moment}"] = torch.zeros_like(parameter) if value is None else value
+        return tensors
+
+    def _load_moments(self, tensors: dict[str, Tensor], file: Path, step: int) -> None:
+        for name, parameter in self.policy.named_parameters():
+            values = {}
+            for moment in _MOMENTS:
+                value = tensors.get(f"{name}.{moment}")
+                if value is None or value.shape != parameter.shape:
+                    raise CheckpointError(f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again")
+                # The layout of the parameter (channels last): elementwise updates have to meet the same elements.
+                values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
+            if step > 0:
+                self.optimiser.state[parameter] = {"step": torch.tensor(float(step)), **values}
+
+
+def _facts(file: Path) -> dict[str, object]:
+    try:
+        with safe_open(file, "pt") as opened:
+            meta = opened.metadata() or {}
+        if meta.get("format") != _FORMAT:
+            raise ValueError("not a training state")
+        return json.loads(meta["state"])
+    except (OSError, SafetensorError, ValueError, KeyError) as error:
+        raise CheckpointError(f"{file} is damaged ({error}); delete it to train from the start") from error
+
+
+def _part(tensors: dict[str, Tensor], prefix: str) -> dict[str, Tensor]:
+    return {name.removeprefix(prefix): value for name, value in tensors.items() if name.startswith(prefix)}

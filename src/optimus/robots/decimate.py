@@ -1,86 +1,85 @@
-"""Make a robot's model fast to draw: fewer triangles in what is seen, not one changed in what is touched."""
+"""Make a robot's model fast to draw: fewer triangles and geoms in what is seen, nothing changed in what is touched."""
 
-import itertools
 import xml.etree.ElementTree as ET
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
-import numpy as np
+from optimus.robots import obj
 
-from optimus.errors import AssetError
-
-VERSION = 1  # part of the cache's key: raise it whenever this file writes something else
-FACES = 400  # a mesh; no difference is seen against the full meshes at 84 x 84, at 100 there is one
+VERSION = 2  # part of the cache's key: raise it whenever this file or `obj` writes something else
+FACES_PER_METRE = 2500.0  # times the square root of a mesh's area [m]: 800 for 0.1 m^2, as a link of the Panda has
+FEWEST = 40
+PREFIX = "visual_"
 
 CHANGES = """\
 This folder is a copy of {upstream} ({license}, see LICENSE), changed by optimus:
-- visual meshes reduced to at most {faces} triangles each (collision meshes are as they were)
+- visual meshes reduced, and those of one body and material joined (collision meshes are as they were)
 - contacts between {pairs} excluded, as upstream does since 2025
 """
 
 
-def prepare(folder: Path, entry: str, exclude: tuple[tuple[str, str], ...]) -> None:
-    """Decimate the visual meshes in `folder` and exclude contacts between the pairs of bodies, in place."""
+def prepare(
+    folder: Path, entry: str, *, exclude: Iterable[tuple[str, str]] = (), keep: Collection[str] = ()
+) -> None:
+    """Reduce and join the visual meshes of the model in `folder`, in place, and exclude contacts of body pairs.
+
+    Meshes named in `keep` stay whole: those a camera sees from close by.
+    """
     path = folder / entry
     tree = ET.parse(path)
     root = tree.getroot()
     _exclude_contacts(root, exclude)
     compiler = root.find("compiler")
-    mesh_folder = folder / (compiler.get("meshdir", "") if compiler is not None else "")
-    for name in sorted(_visual_only(root)):
-        _decimate(mesh_folder / name)
+    _join_visuals(root, folder / (compiler.get("meshdir", "") if compiler is not None else ""), keep)
     ET.indent(tree)
     tree.write(path, encoding="unicode")
 
 
-def _exclude_contacts(root: ET.Element, pairs: tuple[tuple[str, str], ...]) -> None:
+def _exclude_contacts(root: ET.Element, pairs: Iterable[tuple[str, str]]) -> None:
     """The base is fixed to the world, so MuJoCo does not filter its contacts with the first link."""
     present = {frozenset((e.get("body1"), e.get("body2"))) for e in root.iter("exclude")}
-    missing = [pair for pair in pairs if frozenset(pair) not in present]
-    if missing:
-        contact = ET.SubElement(root, "contact")
-        for body1, body2 in missing:
+    for body1, body2 in pairs:
+        if frozenset((body1, body2)) not in present:
+            contact = root.find("contact")
+            contact = ET.SubElement(root, "contact") if contact is None else contact
             ET.SubElement(contact, "exclude", body1=body1, body2=body2)
 
 
-def _visual_only(root: ET.Element) -> set[str]:
-    """Mesh files drawn by a geom of class `visual` and used by no other."""
-    meshes = [(mesh.get("name"), mesh.get("file", "")) for mesh in root.iter("mesh")]
-    files = {name or Path(file).stem: file for name, file in meshes}
-    seen: set[str] = set()
-    touched: set[str] = set()
-    for geom in root.iter("geom"):
-        if name := geom.get("mesh"):
-            (seen if geom.get("class") == "visual" else touched).add(files[name])
-    return seen - touched
+def _join_visuals(root: ET.Element, folder: Path, keep: Collection[str]) -> None:
+    """Give every body one visual geom a material, with a mesh of its own, and drop the meshes it replaces."""
+    asset = root.find("asset")
+    assert asset is not None
+    elements = {mesh.get("name") or Path(mesh.get("file", "")).stem: mesh for mesh in asset.findall("mesh")}
+    touched = {g.get("mesh", "") for g in root.iter("geom") if g.get("class") != "visual"}
+    joined: dict[tuple[str, ...], str] = {}  # both fingers are made of the same meshes
+    for body in root.iter("body"):
+        for geoms in _groups(body):
+            names = tuple(geom.get("mesh", "") for geom in geoms)
+            if names not in joined:
+                joined[names] = PREFIX + names[0]
+                meshes = [_reduced(folder / elements[n].get("file", ""), whole=n in keep) for n in names]
+                obj.write(obj.join(meshes), folder / f"{joined[names]}.obj")
+                ET.SubElement(asset, "mesh", name=joined[names], file=f"{joined[names]}.obj")
+            geoms[0].set("mesh", joined[names])
+            for geom in geoms[1:]:
+                body.remove(geom)
+    for name in {name for names in joined for name in names} - touched:
+        (folder / elements[name].get("file", "")).unlink()
+        asset.remove(elements[name])
 
 
-def _decimate(path: Path) -> None:
-    """Rewrite an OBJ file with at most `FACES` triangles; normals are left to MuJoCo."""
-    import fast_simplification
-
-    points, faces = read_obj(path)
-    if len(faces) > FACES:
-        points, faces = fast_simplification.simplify(points, faces, target_count=FACES)
-    lines = [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
-    lines += [f"f {a} {b} {c}" for a, b, c in faces + 1]
-    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+def _groups(body: ET.Element) -> list[list[ET.Element]]:
+    """The visual mesh geoms of a body that differ in nothing but their mesh."""
+    groups: dict[tuple[tuple[str, str], ...], list[ET.Element]] = {}
+    for geom in body.findall("geom"):
+        if geom.get("class") == "visual" and geom.get("mesh"):
+            others = tuple(sorted(item for item in geom.attrib.items() if item[0] != "mesh"))
+            groups.setdefault(others, []).append(geom)
+    return list(groups.values())
 
 
-def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """The points (n, 3) [m] and triangles (m, 3) of an OBJ file; points at the same place become one."""
-    points: list[list[float]] = []
-    faces: list[list[int]] = []
-    for line in path.read_text(encoding="utf-8").splitlines():
-        kind, _, rest = line.partition(" ")
-        if kind == "v":
-            points.append([float(x) for x in rest.split()[:3]])
-        elif kind == "f":
-            corners = [int(corner.split("/")[0]) - 1 for corner in rest.split()]
-            faces += [[corners[0], b, c] for b, c in itertools.pairwise(corners[1:])]
-    if not faces:
-        raise AssetError(f"{path} holds no triangles")
-    # exports repeat a point once a face; joined up, the simplifier can collapse the edges between faces
-    unique, index = np.unique(np.asarray(points), axis=0, return_inverse=True)
-    joined = index.reshape(-1)[np.asarray(faces)]
-    degenerate = (joined == np.roll(joined, 1, axis=1)).any(axis=1)
-    return unique, joined[~degenerate].astype(np.int32)
+def _reduced(path: Path, whole: bool) -> obj.Mesh:
+    mesh = obj.read(path)
+    if whole:
+        return mesh
+    return obj.reduce(mesh, max(FEWEST, round(FACES_PER_METRE * float(mesh.areas.sum()) ** 0.5)))

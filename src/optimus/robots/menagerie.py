@@ -25,9 +25,9 @@ def fetch(
 ) -> Path:
     """The folder of a robot's model, ready for `mujoco.MjSpec.from_file(folder / "panda.xml")`.
 
-    The first call fetches, verifies and decimates (seconds); later ones verify the cached copy (milliseconds).
-    Safe under concurrent calls and sudden ends: a folder appears whole or not at all. `AssetError` says what was
-    tried when no source answers, `StorageError` when the cache cannot be written.
+    The first call fetches, verifies and decimates (seconds), later ones verify the cached copy (milliseconds).
+    Safe under concurrent calls and sudden ends: a folder appears whole or not at all. `AssetError` says what
+    was tried when no source answers, `StorageError` when the cache cannot be written.
     """
     manifest = Manifest.named(model)
     root = (cache or cache_folder()) / "models"
@@ -77,11 +77,9 @@ def _build(manifest: Manifest, target: Path, sources: Sequence[Source]) -> None:
         for path, content in _gather(manifest, sources, Path(name)).items():
             (stage / path).parent.mkdir(parents=True, exist_ok=True)
             (stage / path).write_bytes(content)
-        decimate.prepare(stage, manifest.entry, manifest.exclude)
+        decimate.prepare(stage, manifest.entry, exclude=manifest.exclude, keep=manifest.keep)
         pairs = ", ".join(f"{a} and {b}" for a, b in manifest.exclude)
-        text = decimate.CHANGES.format(
-            upstream=manifest.upstream, license=manifest.license, faces=decimate.FACES, pairs=pairs
-        )
+        text = decimate.CHANGES.format(upstream=manifest.upstream, license=manifest.license, pairs=pairs)
         (stage / "CHANGES").write_text(text, encoding="utf-8")
         files = sorted(path for path in stage.rglob("*") if path.is_file())
         record = {path.relative_to(stage).as_posix(): sha256_file(path) for path in files}
@@ -111,8 +109,8 @@ def _gather(manifest: Manifest, sources: Sequence[Source], scratch: Path) -> dic
     tried = "; ".join(f"({i}) {cause}" for i, cause in enumerate(causes, start=1)) or "no source at all"
     raise AssetError(
         f"no source gave the model {manifest.model}. Tried {tried}. Remedy: put MuJoCo Menagerie's folder"
-        f" {manifest.model} ({manifest.entry}, LICENSE, assets/) into a folder of yours, and set MENAGERIE_ROOT"
-        " to the latter"
+        f" {manifest.model} ({manifest.entry}, LICENSE, assets/) into a folder of yours and set"
+        " MENAGERIE_ROOT to the latter"
     )
 
 

@@ -36,7 +36,8 @@ class Manifest:
     upstream: str
     wheel: Mapping[str, str]
     files: Mapping[str, tuple[str, ...]]
-    exclude: tuple[tuple[str, str], ...] = ()
+    exclude: tuple[tuple[str, str], ...] = ()  # pairs of bodies that shall not touch
+    keep: tuple[str, ...] = ()  # visual meshes that a camera sees from close by, not to be decimated
     digest: str = field(default="", compare=False)
 
     @classmethod
@@ -110,7 +111,7 @@ def _from_downloader(manifest: Manifest) -> Path:
 
 
 def _from_wheel(manifest: Manifest, scratch: Path) -> Path:
-    """Download the wheel with the user's own pip configuration and extract the one folder; installs nothing."""
+    """Download the wheel with the user's own pip configuration and extract the folder; installs nothing."""
     command = [sys.executable, "-m", "pip", "download", manifest.wheel["requirement"], "--dest", str(scratch)]
     command += ["--no-deps", "--only-binary", ":all:", "--retries", "1", "--no-input", "--quiet"]
     try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import ClassVar, Protocol
+from typing import ClassVar, Protocol, TypeVar
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from optimus.motion.plan import Segment
 from optimus.scene import Scene, World
 from optimus.se3 import Array, Pose, error_between
 from optimus.state import State
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ class Workspace:
         corners.append(Pose(np.array([goal.pos[0], goal.pos[1], top]), goal.quat))
         return [*corners, goal]
 
-    def order[T](self, items: list[T], rng: np.random.Generator) -> list[T]:
+    def order(self, items: list[T], rng: np.random.Generator) -> list[T]:
         """As they are, or shuffled if the style says so."""
         return [items[i] for i in rng.permutation(len(items))] if self.style.shuffle else items
 

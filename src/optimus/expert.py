@@ -1,0 +1,148 @@
+"""`PlanFollower`: the agent that carries a plan out, looking only at what any agent sees."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.control import CONTROL_HZ, SCALE
+from optimus.data.episode import Observation
+from optimus.motion.lines import distance
+from optimus.motion.plan import Plan, Segment
+from optimus.se3 import Array, Pose, error_between, interpolate, quat_from_rotvec, quat_mul
+
+
+@dataclass(frozen=True)
+class TimeLaw:
+    """How fast, as a function of where the arm is on its path: fast along it, slow towards a grasp or a release."""
+
+    speed: float = 0.30
+    """[m/s]; a turn of one radian counts as `lines.TURN_WEIGHT` metres."""
+    slowest: float = 0.04
+    """... at the end of a path [m/s]."""
+    braking: float = 4.0
+    """Near the end the speed grows by this much a metre [1/s]."""
+    arrived: float = 0.004
+    """The tcp has arrived within this distance [m]."""
+    stall: int = 5
+    """Steps for which the gripper alone acts."""
+    patience: int = 12
+    """Steps to wait for the tcp to arrive before going on regardless."""
+
+
+class _Path:
+    """A segment's poses with the length of the path up to each."""
+
+    def __init__(self, segment: Segment) -> None:
+        self.poses = segment.poses
+        steps = [distance(a, b) for a, b in zip(self.poses, self.poses[1:], strict=False)]
+        self.at = np.concatenate([[0.0], np.cumsum(steps)])
+        self.length = float(self.at[-1])
+
+    def pose(self, s: float) -> Pose:
+        i = min(max(int(np.searchsorted(self.at, s, side="right")) - 1, 0), len(self.poses) - 1)
+        if i == len(self.poses) - 1:
+            return self.poses[-1]
+        span = self.at[i + 1] - self.at[i]
+        return interpolate(self.poses[i], self.poses[i + 1], float((s - self.at[i]) / max(span, 1e-9)))
+
+    def nearest(self, target: Pose, s: float, window: float) -> float:
+        """Where on the path, within `window` [m] around `s`, `target` is nearest."""
+        candidates = np.linspace(max(0.0, s - window), min(self.length, s + window), 13)
+        return float(min(candidates, key=lambda c: distance(target, self.pose(float(c)))))
+
+
+class PlanFollower:
+    """Follows a plan's segments one by one. Its answer depends on where the target is on the path, not on the time: pushed off,
+    it comes back to the nearest point of the path and goes on from there."""
+
+    def __init__(self, plan: Plan, law: TimeLaw | None = None) -> None:
+        self.plan, self.law = plan, law or TimeLaw()
+        self._segments = plan.segments
+        self._index = -1
+        self.errors: list[float] = []
+        """Distance of the tcp from the planned path at each step of motion [m]."""
+        self._next_segment()
+
+    @property
+    def segment(self) -> Segment | None:
+        """What it is doing; None when the plan is done."""
+        return self._segments[self._index] if self._index < len(self._segments) else None
+
+    @property
+    def steps_done(self) -> int:
+        """How many skills are complete."""
+        done, left = 0, self._index
+        for step in self.plan.steps:
+            left -= len(step.segments)
+            done += left >= 0
+        return done
+
+    @property
+    def may_be_pushed(self) -> bool:
+        """Whether a perturbation now does no harm: not while the gripper works, nor right before it does."""
+        return self._path is not None and self._path.length - self._s > 0.012
+
+    def _next_segment(self) -> None:
+        self._index += 1
+        self._s, self._waited = 0.0, 0
+        segment = self.segment
+        self._path = None if segment is None or segment.gripper_action else _Path(segment)
+
+    def _stops_at_end(self) -> bool:
+        following = self._segments[self._index + 1 : self._index + 2]
+        return bool(following and following[0].gripper_action)
+
+    def act(self, observation: Observation) -> NDArray[np.float32] | None:
+        """The action `(7,)` for this observation; None when the plan is done."""
+        tcp = Pose(observation["robot0_eef_pos"].astype(np.float64), _wxyz(observation["robot0_eef_quat"]))
+        missing = observation["robot0_target_error"].astype(np.float64)
+        target = Pose(tcp.pos + missing[:3], quat_mul(quat_from_rotvec(missing[3:]), tcp.quat))
+        while self._finished(tcp):
+            self._next_segment()
+        segment = self.segment
+        if segment is None:
+            return None
+        wanted = segment.end
+        if self._path is None:
+            self._waited += 1
+        else:
+            wanted = self._advance(self._path, target)
+            self.errors.append(distance_to(self._path, tcp, self._s))
+        delta = np.clip(error_between(wanted, target) / SCALE, -1.0, 1.0)
+        return np.array([*delta, 1.0 if segment.shut else -1.0], np.float32)
+
+    def _advance(self, path: _Path, target: Pose) -> Pose:
+        law = self.law
+        self._s = path.nearest(target, self._s, window=0.04)
+        speed = law.speed
+        if self._stops_at_end():
+            speed = min(speed, law.slowest + law.braking * (path.length - self._s))
+        self._s = min(path.length, self._s + speed / CONTROL_HZ)
+        self._waited += self._s >= path.length
+        return path.pose(self._s)
+
+    def _finished(self, tcp: Pose) -> bool:
+        segment = self.segment
+        if segment is None:
+            return False
+        if self._path is None:
+            return self._waited >= self.law.stall
+        if self._s < self._path.length:
+            return False
+        if not self._stops_at_end() or self._waited >= self.law.patience:
+            return True
+        return distance(segment.end, tcp) < self.law.arrived
+
+
+def distance_to(path: _Path, tcp: Pose, s: float) -> float:
+    """The geometric distance of the tcp from the path [m], whatever its lag along it."""
+    near = [path.pose(float(c)).pos for c in np.linspace(max(0.0, s - 0.08), min(path.length, s + 0.01), 19)]
+    return float(min(np.linalg.norm(p - tcp.pos) for p in near))
+
+
+def _wxyz(xyzw: NDArray[np.float32]) -> Array:
+    x, y, z, w = xyzw.astype(np.float64)
+    return np.array([w, x, y, z])

@@ -1,0 +1,120 @@
+"""The one loop in which an agent meets an environment, and what it leaves behind: an `Episode`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.control import POSITION_SCALE, ROTATION_SCALE
+from optimus.data.episode import Episode, Observation
+from optimus.env import ManipulationEnv
+from optimus.predicates import holds
+
+LAST_LOOK = 12
+"""Steps for which the world is still watched when the agent is done, so that what it let go can settle."""
+
+
+class Agent(Protocol):
+    """The expert and every policy."""
+
+    def act(self, observation: Observation) -> NDArray[np.float32] | None:
+        """The action `(7,)`, or None when it has nothing more to do."""
+        ...
+
+
+@dataclass(frozen=True)
+class Perturbation:
+    """Pushes on the executed action while the label stays the agent's own answer (the idea of DART, Laskey et al. 2017)."""
+
+    position: float = 0.01
+    """Standard deviation [m]."""
+    yaw: float = 0.075
+    """Standard deviation [rad]."""
+    share: float = 0.5
+    """Of the steps that may be pushed."""
+
+    def sample(self, rng: np.random.Generator) -> NDArray[np.float64]:
+        """What to add to an action `(7,)`; zeros on the steps that are not pushed."""
+        noise = np.zeros(7)
+        push = rng.uniform() < self.share
+        noise[:3] = rng.normal(0.0, self.position / POSITION_SCALE, 3)
+        noise[5] = rng.normal(0.0, self.yaw / ROTATION_SCALE)
+        return noise * push
+
+
+@dataclass(eq=False)
+class Log:
+    """What a rollout appends to, step by step."""
+
+    observations: list[Observation]
+    actions: list[NDArray[np.float32]]
+    executed: list[NDArray[np.float32]]
+    objects: list[NDArray[np.float64]]
+
+
+def rollout(
+    env: ManipulationEnv,
+    observation: Observation,
+    agent: Agent,
+    name: str,
+    push: Callable[[], NDArray[np.float64] | None] = lambda: None,
+    watch: Callable[[ManipulationEnv], None] = lambda env: None,
+) -> Episode:
+    """Run `agent` from the environment's present state (of which `observation` is the view) to success, its end or the horizon.
+
+    `push()` gives what to add to the next executed action, or None; `watch(env)` is called before every step (films, measurements).
+    """
+    log = Log([], [], [], [])
+    start = env.snapshot()
+    success, truncated, idle, info = False, False, 0, {}
+    still = np.zeros(7, np.float32)
+    while not (success or truncated or idle >= LAST_LOOK):
+        watch(env)
+        action = agent.act(observation)
+        idle += action is None
+        if action is None:
+            still = np.array([*np.zeros(6), log.actions[-1][6] if log.actions else -1.0], np.float32)
+        label = still if action is None else action
+        noise = push() if action is not None else None
+        done = label if noise is None else np.clip(label + noise, -1.0, 1.0).astype(np.float32)
+        log.observations.append(observation)
+        log.actions.append(label)
+        log.executed.append(done)
+        log.objects.append(env.object_positions())
+        observation, _, success, truncated, info = env.step(done)
+    watch(env)
+    return _episode(env, log, start, name, success, "" if success else failure_of(env, truncated))
+
+
+def failure_of(env: ManipulationEnv, truncated: bool) -> str:
+    """Why the goal does not hold: the first of its atoms that does not, and whether time ran out."""
+    state = env.state()
+    missing = sorted(str(a) for a in env.problem.goal if not holds(env.world.scene, state, a))
+    return f"{'out of time' if truncated else 'ended'} without {missing[0] if missing else 'success'}"
+
+
+def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: str, success: bool, failure: str) -> Episode:
+    keys = log.observations[0].keys()
+    return Episode(
+        task=env.task.name,
+        seed=env.episode_seed,
+        agent=name,
+        observations={k: np.stack([o[k] for o in log.observations]) for k in keys},
+        actions=np.stack(log.actions),
+        executed=np.stack(log.executed),
+        initial_state=start,
+        objects=np.stack(log.objects).astype(np.float32),
+        object_names=env.world.scene.movable_names,
+        success=success,
+        failure=failure,
+        info={
+            "variant": env.problem.variant,
+            "paper_success": env.problem.paper_success(env.state()),
+            "control": "osc",
+            "goal": sorted(str(a) for a in env.problem.goal),
+        },
+    )
