@@ -1,4 +1,4 @@
-"""Make a robot's model fast to draw: fewer triangles and geoms in what is seen, nothing changed in what is touched."""
+"""Make a robot's model fast to draw: less of what is only seen, nothing changed in what is touched."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Collection, Iterable
@@ -7,7 +7,7 @@ from pathlib import Path
 from optimus.robots import obj
 
 VERSION = 2  # part of the cache's key: raise it whenever this file or `obj` writes something else
-FACES_PER_METRE = 2500.0  # times the square root of a mesh's area [m]: 800 for 0.1 m^2, as a link of the Panda has
+FACES_PER_METRE = 2500.0  # times the square root of a mesh's area [m]: 800 for 0.1 m^2
 FEWEST = 40
 PREFIX = "visual_"
 
@@ -21,9 +21,9 @@ This folder is a copy of {upstream} ({license}, see LICENSE), changed by optimus
 def prepare(
     folder: Path, entry: str, *, exclude: Iterable[tuple[str, str]] = (), keep: Collection[str] = ()
 ) -> None:
-    """Reduce and join the visual meshes of the model in `folder`, in place, and exclude contacts of body pairs.
+    """Reduce and join the visual meshes of the model in `folder`, in place, and exclude some contacts.
 
-    Meshes named in `keep` stay whole: those a camera sees from close by.
+    `exclude` names pairs of bodies. Meshes named in `keep` stay whole: those a camera sees from close by.
     """
     path = folder / entry
     tree = ET.parse(path)

@@ -25,7 +25,7 @@ def fetch(
 ) -> Path:
     """The folder of a robot's model, ready for `mujoco.MjSpec.from_file(folder / "panda.xml")`.
 
-    The first call fetches, verifies and decimates (seconds), later ones verify the cached copy (milliseconds).
+    The first call fetches, verifies and decimates (seconds), later ones verify the copy (milliseconds).
     Safe under concurrent calls and sudden ends: a folder appears whole or not at all. `AssetError` says what
     was tried when no source answers, `StorageError` when the cache cannot be written.
     """

@@ -74,7 +74,7 @@ def join(meshes: Sequence[Mesh]) -> Mesh:
 
 
 def reduce(mesh: Mesh, count: int) -> Mesh:
-    """The mesh with about `count` faces, shaded as the full one is: each corner takes its normal from there."""
+    """The mesh with about `count` faces, shaded like the full one: corners take their normals there."""
     import fast_simplification
 
     if len(mesh.faces) <= count:
