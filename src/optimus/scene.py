@@ -118,7 +118,7 @@ def _robot_spec(robot: Robot) -> mujoco.MjSpec:
             actuator.forcerange = actuator.ctrlrange = [-limit, limit]
         elif actuator.name == robot.gripper_actuator:
             # as shipped the fingers press with 1 N; ctrl stays 0..255 over the finger travel
-            kp, kv = 2000.0, 100.0
+            kp, kv = 2000.0, 300.0
             actuator.gainprm[:3] = [kp * robot.finger_travel / 255.0, 0.0, 0.0]
             actuator.biasprm[:3] = [0.0, -kp, -kv]
             actuator.forcerange = [-60.0, 60.0]

@@ -63,7 +63,7 @@ def _top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:
     """From straight above, tcp at height `z` of the object's frame, fingers closing along the direction `yaw` [rad]."""
     c, s = np.cos(yaw), np.sin(yaw)
     # columns: tcp x, y (closing direction), z (down)
-    matrix = np.array([[s, c, 0.0], [-c, s, 0.0], [0.0, 0.0, -1.0]])
+    matrix = np.array([[-s, c, 0.0], [c, s, 0.0], [0.0, 0.0, -1.0]])
     w, qx, qy, qz = quat_from_matrix(matrix)
     return Grasp((x, y, z), (float(w), float(qx), float(qy), float(qz)))
 
@@ -97,7 +97,7 @@ def cylinder(radius: float, height: float, rgba: Rgba, mass: float = 0.08) -> Sh
     )
 
 
-def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.004, sides: int = 12) -> Shape:
+def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.007, sides: int = 12) -> Shape:
     """An open vessel [m]: a floor and a ring of `sides` wall panels, taken from above across its mouth."""
     half = height / 2
     panel = Part("box", (wall / 2, radius * np.tan(np.pi / sides), half))
