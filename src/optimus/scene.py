@@ -123,6 +123,10 @@ def _robot_spec(robot: Robot) -> mujoco.MjSpec:
             actuator.biasprm[:3] = [0.0, -kp, -kv]
             actuator.forcerange = [-60.0, 60.0]
     for name in robot.finger_bodies:
+        for geom in [g for g in spec.body(name).geoms if g.type == mujoco.mjtGeom.mjGEOM_BOX]:
+            spec.delete(geom)
+        box = mujoco.mjtGeom.mjGEOM_BOX
+        spec.body(name).add_geom(type=box, pos=robot.pad_pos, size=robot.pad_half, mass=0.0, group=3)
         for geom in spec.body(name).geoms:
             geom.friction = [1.5, 0.02, 0.0005]
             geom.condim = 4

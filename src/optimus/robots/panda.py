@@ -16,6 +16,9 @@ PANDA = Robot(
     speed_limits=(2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61),
     finger_travel=0.04,
     gripper_actuator="actuator8",
+    # one thick box for Menagerie's five thin ones, in which a round thing can get caught
+    pad_pos=(0.0, 0.004, 0.0445),
+    pad_half=(0.0085, 0.004, 0.0095),
     camera_pos=(0.07, 0.0, 0.02),
     camera_target=(0.0, 0.0, 0.13),
 )

@@ -30,6 +30,10 @@ class Robot:
     finger_travel: float
     """How far each finger opens from shut [m]."""
     gripper_actuator: str
+    pad_pos: Vec3
+    """Centre of the fingertip pad, one box a finger, in the finger's frame [m]."""
+    pad_half: Vec3
+    """Its half-sizes [m]."""
     camera_pos: Vec3
     """The wrist camera in the hand's frame [m]."""
     camera_target: Vec3
