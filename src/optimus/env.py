@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from collections import Counter
 from functools import lru_cache
 from typing import Any
 
@@ -40,6 +42,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     ) -> None:
         self.task, self.images, self.render_mode = task, images, render_mode
         self._osc = osc
+        self.cpu: Counter[str] = Counter()
+        """CPU seconds spent so far, by `physics` and `rendering`."""
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (ACTION_DIM,), np.float32)
         self._start(task.problem(0), 0)
         self.observation_space = gymnasium.spaces.Dict(self._spaces())
@@ -93,12 +97,14 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _advance(self, gripper: float, substeps: int) -> None:
         model, data, world = self.world.model, self.data, self.world
+        began = time.process_time()
         data.ctrl[world.gripper_ctrl] = 0.0 if gripper > 0 else 255.0
         for _ in range(substeps):
             mujoco.mj_step1(model, data)
             data.ctrl[world.arm_ctrl] = self.controller.torque(data)
             mujoco.mj_step2(model, data)
         mujoco.mj_step1(model, data)
+        self.cpu["physics"] += time.process_time() - began
 
     def _info(self) -> dict[str, Any]:
         return {"seed": self.episode_seed, "variant": self.problem.variant}
@@ -125,9 +131,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             "robot0_target_error": self.controller.target_error(self.data).astype(np.float32),
         }
         if self.images:
+            began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)
             for camera in self.world.image_cameras:
                 seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
+            self.cpu["rendering"] += time.process_time() - began
         return seen
 
     def object_positions(self) -> Array:

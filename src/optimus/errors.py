@@ -11,7 +11,12 @@ class UnknownNameError(OptimusError):
     """A name that is not one of the known ones; the message lists them."""
 
     def __init__(self, kind: str, name: str, valid: Iterable[str]) -> None:
-        super().__init__(f"unknown {kind} {name!r}; valid: {', '.join(sorted(valid))}")
+        # the arguments as they came, so that the error survives the way back from a worker process
+        super().__init__(kind, name, tuple(sorted(valid)))
+
+    def __str__(self) -> str:
+        kind, name, valid = self.args
+        return f"unknown {kind} {name!r}; valid: {', '.join(valid)}"
 
 
 class AssetError(OptimusError):

@@ -9,6 +9,9 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
+_PART = 48
+"""Images taken through the convolutions at once: what they make then stays in a core's cache (a fifth faster than 192)."""
+
 
 @dataclass(frozen=True)
 class EncoderConfig:
@@ -55,8 +58,11 @@ class Encoder(nn.Module):
 
     def forward(self, images: Tensor, half: bool = False) -> Tensor:
         """`(N, h, w, 3)` uint8 to `(N, features)` float32; `half` runs the convolutions in bfloat16."""
+        return self.project(torch.cat([self._located(part, half) for part in images.split(_PART)]))
+
+    def _located(self, images: Tensor, half: bool) -> Tensor:
         # NHWC seen as NCHW is the memory layout (channels last) that the convolutions are fastest in.
         pixels = images.permute(0, 3, 1, 2).to(torch.bfloat16 if half else torch.float32)
         with torch.autocast(images.device.type, torch.bfloat16, enabled=half):
             maps = self.trunk(pixels.mul_(1 / 127.5).sub_(1))
-        return self.project(self.keypoints(maps))
+        return self.keypoints(maps)

@@ -1,0 +1,69 @@
+"""One demonstration: plan, carry the plan out in physics, perhaps pushed off its path now and then."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from optimus.data.episode import Episode
+from optimus.env import ManipulationEnv
+from optimus.expert import PlanFollower, TimeLaw
+from optimus.motion.plan import Infeasible
+from optimus.planner import Budget, solve
+from optimus.rollout import Perturbation, rollout
+from optimus.skills import Style, Workspace
+
+
+@dataclass(frozen=True)
+class ExpertConfig:
+    """Everything about how the expert plans and moves."""
+
+    style: Style = field(default_factory=Style)
+    law: TimeLaw = field(default_factory=TimeLaw)
+    budget: Budget = field(default_factory=Budget)
+    perturbation: Perturbation | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Attempt:
+    """What came of one seed: an episode (also a failed one), or no plan and why."""
+
+    seed: int
+    episode: Episode | None
+    failure: str
+    plan_seconds: float
+    """CPU time."""
+    info: dict[str, Any]
+
+    @property
+    def success(self) -> bool:
+        return self.episode is not None and self.episode.success
+
+
+def demonstrate(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Attempt:
+    """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone."""
+    observation, info = env.reset(seed=seed)
+    planning, pushing = (np.random.default_rng([seed, stream]) for stream in (1, 2))
+    began = time.process_time()
+    plan = solve(Workspace(env.world, config.style), env.state(), env.problem.goal, planning, config.budget)
+    seconds = time.process_time() - began
+    if isinstance(plan, Infeasible):
+        return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
+    follower, perturbation = PlanFollower(plan, config.law), config.perturbation
+
+    def push() -> np.ndarray | None:
+        return perturbation.sample(pushing) if perturbation is not None and follower.may_be_pushed else None
+
+    episode = rollout(env, observation, follower, "expert", push)
+    errors = np.array(follower.errors or [0.0])
+    facts = {
+        "perturbed": perturbation is not None,
+        "retries": 0,
+        "tracking_error": {"median": float(np.median(errors)), "max": float(errors.max())},
+        "learned": plan.stats["learned"],
+    }
+    episode = replace(episode, skeleton=plan.skeleton, info={**episode.info, **facts})
+    return Attempt(seed, episode, episode.failure, seconds, episode.info)

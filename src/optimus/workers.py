@@ -1,0 +1,50 @@
+"""Processes that share out many independent episodes."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import threading
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from typing import Any
+
+
+class _Inline(Executor):
+    """Runs each job at once in this process."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:  # noqa: BLE001 - handed on through the future, as every executor does
+            future.set_exception(error)
+        return future
+
+
+def _end_with_parent() -> None:
+    """Leave no orphan behind when the parent is killed: it cannot say goodbye, so a thread watches for its end."""
+    parent = multiprocessing.parent_process()
+
+    def watch() -> None:
+        if parent is not None:
+            parent.join()
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def executor(workers: int) -> Executor:
+    """An executor of that many processes; with one worker, this process does the work itself.
+
+    Processes are spawned, not forked: a GL context and a thread pool do not survive a fork.
+    """
+    if workers <= 1:
+        return _Inline()
+    context = multiprocessing.get_context("spawn")
+    return ProcessPoolExecutor(workers, mp_context=context, initializer=_end_with_parent)
+
+
+def available_cores() -> int:
+    """Processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
