@@ -2,7 +2,6 @@ from __future__ import annotations
 import collections.abc
 import mujoco._enums
 import mujoco._structs
-import mujoco._structs
 import numpy
 import numpy.typing
 import typing
@@ -53,58 +52,58 @@ class MjSpec:
     def actuator(self, arg0: str) -> MjsActuator:
         ...
 
-    def add_actuator(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, gaintype: typing.SupportsInt | typing.SupportsIndex | None=None, gainprm: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, biastype: typing.SupportsInt | typing.SupportsIndex | None=None, biasprm: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, dyntype: typing.SupportsInt | typing.SupportsIndex | None=None, dynprm: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actdim: typing.SupportsInt | typing.SupportsIndex | None=None, ctrlspec: typing.SupportsInt | typing.SupportsIndex | None=None, velrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ffrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actearly: typing.SupportsInt | typing.SupportsIndex | None=None, trntype: typing.SupportsInt | typing.SupportsIndex | None=None, gear: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, target: str | None=None, refsite: str | None=None, slidersite: str | None=None, cranklength: typing.SupportsFloat | typing.SupportsIndex | None=None, lengthrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, inheritrange: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, ctrllimited: typing.SupportsInt | typing.SupportsIndex | None=None, ctrlrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, forcelimited: typing.SupportsInt | typing.SupportsIndex | None=None, forcerange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actlimited: typing.SupportsInt | typing.SupportsIndex | None=None, actrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, nsample: typing.SupportsInt | typing.SupportsIndex | None=None, interp: typing.SupportsInt | typing.SupportsIndex | None=None, delay: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsActuator:
+    def add_actuator(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, gaintype: typing.SupportsInt | typing.SupportsIndex | None=None, gainprm: numpy.typing.ArrayLike | None=None, biastype: typing.SupportsInt | typing.SupportsIndex | None=None, biasprm: numpy.typing.ArrayLike | None=None, dyntype: typing.SupportsInt | typing.SupportsIndex | None=None, dynprm: numpy.typing.ArrayLike | None=None, actdim: typing.SupportsInt | typing.SupportsIndex | None=None, ctrlspec: typing.SupportsInt | typing.SupportsIndex | None=None, velrange: numpy.typing.ArrayLike | None=None, ffrange: numpy.typing.ArrayLike | None=None, actearly: typing.SupportsInt | typing.SupportsIndex | None=None, trntype: typing.SupportsInt | typing.SupportsIndex | None=None, gear: numpy.typing.ArrayLike | None=None, target: str | None=None, refsite: str | None=None, slidersite: str | None=None, cranklength: typing.SupportsFloat | typing.SupportsIndex | None=None, lengthrange: numpy.typing.ArrayLike | None=None, inheritrange: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, ctrllimited: typing.SupportsInt | typing.SupportsIndex | None=None, ctrlrange: numpy.typing.ArrayLike | None=None, forcelimited: typing.SupportsInt | typing.SupportsIndex | None=None, forcerange: numpy.typing.ArrayLike | None=None, actlimited: typing.SupportsInt | typing.SupportsIndex | None=None, actrange: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, nsample: typing.SupportsInt | typing.SupportsIndex | None=None, interp: typing.SupportsInt | typing.SupportsIndex | None=None, delay: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsActuator:
         ...
 
     def add_default(self, arg0: str, arg1: MjsDefault) -> MjsDefault:
         ...
 
-    def add_equality(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, data: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, name1: str | None=None, name2: str | None=None, objtype: typing.SupportsInt | typing.SupportsIndex | None=None, solref: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsEquality:
+    def add_equality(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, data: numpy.typing.ArrayLike | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, name1: str | None=None, name2: str | None=None, objtype: typing.SupportsInt | typing.SupportsIndex | None=None, solref: numpy.typing.ArrayLike | None=None, solimp: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsEquality:
         ...
 
     def add_exclude(self, name: str | None=None, bodyname1: str | None=None, bodyname2: str | None=None, info: str | None=None) -> MjsExclude:
         ...
 
-    def add_flex(self, name: str | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, dim: typing.SupportsInt | typing.SupportsIndex | None=None, radius: typing.SupportsFloat | typing.SupportsIndex | None=None, size: typing.Any | None=None, flatskin: typing.SupportsInt | typing.SupportsIndex | None=None, selfcollide: typing.SupportsInt | typing.SupportsIndex | None=None, passive: typing.SupportsInt | typing.SupportsIndex | None=None, activelayers: typing.SupportsInt | typing.SupportsIndex | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, edgestiffness: typing.SupportsFloat | typing.SupportsIndex | None=None, edgedamping: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, material: collections.abc.Sequence[str] | None=None, young: typing.SupportsFloat | typing.SupportsIndex | None=None, poisson: typing.SupportsFloat | typing.SupportsIndex | None=None, shear: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.SupportsFloat | typing.SupportsIndex | None=None, thickness: typing.SupportsFloat | typing.SupportsIndex | None=None, stressyield: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, elastic2d: typing.SupportsInt | typing.SupportsIndex | None=None, elastic3d: typing.SupportsInt | typing.SupportsIndex | None=None, section: typing.SupportsInt | typing.SupportsIndex | None=None, sectionsize: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, cellcount: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, order: typing.SupportsInt | typing.SupportsIndex | None=None, nodebody: collections.abc.Sequence[str] | None=None, vertbody: collections.abc.Sequence[str] | None=None, node: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, vert: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, elem: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, texcoord: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, elemtexcoord: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsFlex:
+    def add_flex(self, name: str | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: numpy.typing.ArrayLike | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: numpy.typing.ArrayLike | None=None, solimp: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, dim: typing.SupportsInt | typing.SupportsIndex | None=None, radius: typing.SupportsFloat | typing.SupportsIndex | None=None, size: typing.Any | None=None, flatskin: typing.SupportsInt | typing.SupportsIndex | None=None, selfcollide: typing.SupportsInt | typing.SupportsIndex | None=None, passive: typing.SupportsInt | typing.SupportsIndex | None=None, activelayers: typing.SupportsInt | typing.SupportsIndex | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, edgestiffness: typing.SupportsFloat | typing.SupportsIndex | None=None, edgedamping: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: numpy.typing.ArrayLike | None=None, material: collections.abc.Sequence[str] | None=None, young: typing.SupportsFloat | typing.SupportsIndex | None=None, poisson: typing.SupportsFloat | typing.SupportsIndex | None=None, shear: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.SupportsFloat | typing.SupportsIndex | None=None, thickness: typing.SupportsFloat | typing.SupportsIndex | None=None, stressyield: numpy.typing.ArrayLike | None=None, elastic2d: typing.SupportsInt | typing.SupportsIndex | None=None, elastic3d: typing.SupportsInt | typing.SupportsIndex | None=None, section: typing.SupportsInt | typing.SupportsIndex | None=None, sectionsize: numpy.typing.ArrayLike | None=None, cellcount: numpy.typing.ArrayLike | None=None, order: typing.SupportsInt | typing.SupportsIndex | None=None, nodebody: collections.abc.Sequence[str] | None=None, vertbody: collections.abc.Sequence[str] | None=None, node: numpy.typing.ArrayLike | None=None, vert: numpy.typing.ArrayLike | None=None, elem: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, texcoord: numpy.typing.ArrayLike | None=None, elemtexcoord: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsFlex:
         ...
 
-    def add_hfield(self, name: str | None=None, content_type: str | None=None, file: str | None=None, size: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, nrow: typing.SupportsInt | typing.SupportsIndex | None=None, ncol: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsHField:
+    def add_hfield(self, name: str | None=None, content_type: str | None=None, file: str | None=None, size: numpy.typing.ArrayLike | None=None, nrow: typing.SupportsInt | typing.SupportsIndex | None=None, ncol: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsHField:
         ...
 
-    def add_key(self, name: str | None=None, time: typing.SupportsFloat | typing.SupportsIndex | None=None, qpos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, qvel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, act: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mpos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mquat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ctrl: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, plastic: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsKey:
+    def add_key(self, name: str | None=None, time: typing.SupportsFloat | typing.SupportsIndex | None=None, qpos: numpy.typing.ArrayLike | None=None, qvel: numpy.typing.ArrayLike | None=None, act: numpy.typing.ArrayLike | None=None, mpos: numpy.typing.ArrayLike | None=None, mquat: numpy.typing.ArrayLike | None=None, ctrl: numpy.typing.ArrayLike | None=None, plastic: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsKey:
         ...
 
-    def add_material(self, default: MjsDefault=None, name: str | None=None, textures: collections.abc.Sequence[str] | None=None, texuniform: typing.SupportsInt | typing.SupportsIndex | None=None, texrepeat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, emission: typing.SupportsFloat | typing.SupportsIndex | None=None, specular: typing.SupportsFloat | typing.SupportsIndex | None=None, shininess: typing.SupportsFloat | typing.SupportsIndex | None=None, reflectance: typing.SupportsFloat | typing.SupportsIndex | None=None, metallic: typing.SupportsFloat | typing.SupportsIndex | None=None, roughness: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsMaterial:
+    def add_material(self, default: MjsDefault=None, name: str | None=None, textures: collections.abc.Sequence[str] | None=None, texuniform: typing.SupportsInt | typing.SupportsIndex | None=None, texrepeat: numpy.typing.ArrayLike | None=None, emission: typing.SupportsFloat | typing.SupportsIndex | None=None, specular: typing.SupportsFloat | typing.SupportsIndex | None=None, shininess: typing.SupportsFloat | typing.SupportsIndex | None=None, reflectance: typing.SupportsFloat | typing.SupportsIndex | None=None, metallic: typing.SupportsFloat | typing.SupportsIndex | None=None, roughness: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsMaterial:
         ...
 
-    def add_mesh(self, default: MjsDefault=None, name: str | None=None, content_type: str | None=None, file: str | None=None, refpos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, refquat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, scale: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, inertia: typing.SupportsInt | typing.SupportsIndex | None=None, smoothnormal: typing.SupportsInt | typing.SupportsIndex | None=None, needsdf: typing.SupportsInt | typing.SupportsIndex | None=None, maxhullvert: typing.SupportsInt | typing.SupportsIndex | None=None, uservert: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, usernormal: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, usertexcoord: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, userface: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, userfacenormal: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, userfacetexcoord: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, usernode: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, usertet: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, material: str | None=None, octree_maxdepth: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsMesh:
+    def add_mesh(self, default: MjsDefault=None, name: str | None=None, content_type: str | None=None, file: str | None=None, refpos: numpy.typing.ArrayLike | None=None, refquat: numpy.typing.ArrayLike | None=None, scale: numpy.typing.ArrayLike | None=None, inertia: typing.SupportsInt | typing.SupportsIndex | None=None, smoothnormal: typing.SupportsInt | typing.SupportsIndex | None=None, needsdf: typing.SupportsInt | typing.SupportsIndex | None=None, maxhullvert: typing.SupportsInt | typing.SupportsIndex | None=None, uservert: numpy.typing.ArrayLike | None=None, usernormal: numpy.typing.ArrayLike | None=None, usertexcoord: numpy.typing.ArrayLike | None=None, userface: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, userfacenormal: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, userfacetexcoord: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, usernode: numpy.typing.ArrayLike | None=None, usertet: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, material: str | None=None, octree_maxdepth: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsMesh:
         ...
 
-    def add_numeric(self, name: str | None=None, data: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, size: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsNumeric:
+    def add_numeric(self, name: str | None=None, data: numpy.typing.ArrayLike | None=None, size: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsNumeric:
         ...
 
-    def add_pair(self, default: MjsDefault=None, name: str | None=None, geomname1: str | None=None, geomname2: str | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, solref: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solreffriction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsPair:
+    def add_pair(self, default: MjsDefault=None, name: str | None=None, geomname1: str | None=None, geomname2: str | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, solref: numpy.typing.ArrayLike | None=None, solreffriction: numpy.typing.ArrayLike | None=None, solimp: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, friction: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsPair:
         ...
 
     def add_plugin(self, name: str | None=None, plugin_name: str | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsPlugin:
         ...
 
-    def add_sensor(self, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, objtype: typing.SupportsInt | typing.SupportsIndex | None=None, objname: str | None=None, reftype: typing.SupportsInt | typing.SupportsIndex | None=None, refname: str | None=None, intprm: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, datatype: typing.SupportsInt | typing.SupportsIndex | None=None, needstage: typing.SupportsInt | typing.SupportsIndex | None=None, dim: typing.SupportsInt | typing.SupportsIndex | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, noise: typing.SupportsFloat | typing.SupportsIndex | None=None, nsample: typing.SupportsInt | typing.SupportsIndex | None=None, interp: typing.SupportsInt | typing.SupportsIndex | None=None, delay: typing.SupportsFloat | typing.SupportsIndex | None=None, interval: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsSensor:
+    def add_sensor(self, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, objtype: typing.SupportsInt | typing.SupportsIndex | None=None, objname: str | None=None, reftype: typing.SupportsInt | typing.SupportsIndex | None=None, refname: str | None=None, intprm: numpy.typing.ArrayLike | None=None, datatype: typing.SupportsInt | typing.SupportsIndex | None=None, needstage: typing.SupportsInt | typing.SupportsIndex | None=None, dim: typing.SupportsInt | typing.SupportsIndex | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, noise: typing.SupportsFloat | typing.SupportsIndex | None=None, nsample: typing.SupportsInt | typing.SupportsIndex | None=None, interp: typing.SupportsInt | typing.SupportsIndex | None=None, delay: typing.SupportsFloat | typing.SupportsIndex | None=None, interval: numpy.typing.ArrayLike | None=None, userdata: numpy.typing.ArrayLike | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsSensor:
         ...
 
-    def add_skin(self, name: str | None=None, file: str | None=None, material: str | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, inflate: typing.SupportsFloat | typing.SupportsIndex | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, vert: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, texcoord: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, face: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, bodyname: collections.abc.Sequence[str] | None=None, bindpos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, bindquat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, vertid: collections.abc.Sequence[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]] | None=None, vertweight: collections.abc.Sequence[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]] | None=None, info: str | None=None) -> MjsSkin:
+    def add_skin(self, name: str | None=None, file: str | None=None, material: str | None=None, rgba: numpy.typing.ArrayLike | None=None, inflate: typing.SupportsFloat | typing.SupportsIndex | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, vert: numpy.typing.ArrayLike | None=None, texcoord: numpy.typing.ArrayLike | None=None, face: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, bodyname: collections.abc.Sequence[str] | None=None, bindpos: numpy.typing.ArrayLike | None=None, bindquat: numpy.typing.ArrayLike | None=None, vertid: collections.abc.Sequence[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]] | None=None, vertweight: collections.abc.Sequence[numpy.typing.ArrayLike] | None=None, info: str | None=None) -> MjsSkin:
         ...
 
-    def add_tendon(self, default: MjsDefault=None, name: str | None=None, stiffness: typing.Any | None=None, springlength: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, range: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actfrcrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, material: str | None=None, width: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsTendon:
+    def add_tendon(self, default: MjsDefault=None, name: str | None=None, stiffness: typing.Any | None=None, springlength: numpy.typing.ArrayLike | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: numpy.typing.ArrayLike | None=None, solimp_friction: numpy.typing.ArrayLike | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, range: numpy.typing.ArrayLike | None=None, actfrcrange: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: numpy.typing.ArrayLike | None=None, solimp_limit: numpy.typing.ArrayLike | None=None, material: str | None=None, width: typing.SupportsFloat | typing.SupportsIndex | None=None, rgba: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsTendon:
         ...
 
     def add_text(self, name: str | None=None, data: str | None=None, info: str | None=None) -> MjsText:
         ...
 
-    def add_texture(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, colorspace: typing.SupportsInt | typing.SupportsIndex | None=None, builtin: typing.SupportsInt | typing.SupportsIndex | None=None, mark: typing.SupportsInt | typing.SupportsIndex | None=None, rgb1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, rgb2: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, markrgb: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, random: typing.SupportsFloat | typing.SupportsIndex | None=None, height: typing.SupportsInt | typing.SupportsIndex | None=None, width: typing.SupportsInt | typing.SupportsIndex | None=None, nchannel: typing.SupportsInt | typing.SupportsIndex | None=None, content_type: str | None=None, file: str | None=None, gridsize: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, gridlayout: typing.Any=None, cubefiles: collections.abc.Sequence[str] | None=None, data: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, hflip: typing.SupportsInt | typing.SupportsIndex | None=None, vflip: typing.SupportsInt | typing.SupportsIndex | None=None, embed: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsTexture:
+    def add_texture(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, colorspace: typing.SupportsInt | typing.SupportsIndex | None=None, builtin: typing.SupportsInt | typing.SupportsIndex | None=None, mark: typing.SupportsInt | typing.SupportsIndex | None=None, rgb1: numpy.typing.ArrayLike | None=None, rgb2: numpy.typing.ArrayLike | None=None, markrgb: numpy.typing.ArrayLike | None=None, random: typing.SupportsFloat | typing.SupportsIndex | None=None, height: typing.SupportsInt | typing.SupportsIndex | None=None, width: typing.SupportsInt | typing.SupportsIndex | None=None, nchannel: typing.SupportsInt | typing.SupportsIndex | None=None, content_type: str | None=None, file: str | None=None, gridsize: numpy.typing.ArrayLike | None=None, gridlayout: typing.Any=None, cubefiles: collections.abc.Sequence[str] | None=None, data: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, hflip: typing.SupportsInt | typing.SupportsIndex | None=None, vflip: typing.SupportsInt | typing.SupportsIndex | None=None, embed: typing.SupportsInt | typing.SupportsIndex | None=None, info: str | None=None) -> MjsTexture:
         ...
 
-    def add_tuple(self, name: str | None=None, objtype: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, objname: collections.abc.Sequence[str] | None=None, objprm: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsTuple:
+    def add_tuple(self, name: str | None=None, objtype: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, objname: collections.abc.Sequence[str] | None=None, objprm: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsTuple:
         ...
 
     def adopt_inertial(self, body: MjsBody, vfs: MjVfs | None=None) -> None:
@@ -589,28 +588,28 @@ class MjsBody:
     name: str
     plugin: MjsPlugin
 
-    def add_body(self, default: MjsDefault=None, name: str | None=None, childclass: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, ipos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, iquat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, inertia: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, iaxisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ixyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, izaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ieuler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fullinertia: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mocap: typing.SupportsInt | typing.SupportsIndex | None=None, gravcomp: typing.SupportsFloat | typing.SupportsIndex | None=None, sleep: typing.SupportsInt | typing.SupportsIndex | None=None, simple: typing.SupportsInt | typing.SupportsIndex | None=None, fuse: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, explicitinertial: typing.SupportsInt | typing.SupportsIndex | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsBody:
+    def add_body(self, default: MjsDefault=None, name: str | None=None, childclass: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, ipos: numpy.typing.ArrayLike | None=None, iquat: numpy.typing.ArrayLike | None=None, inertia: numpy.typing.ArrayLike | None=None, iaxisangle: numpy.typing.ArrayLike | None=None, ixyaxes: numpy.typing.ArrayLike | None=None, izaxis: numpy.typing.ArrayLike | None=None, ieuler: numpy.typing.ArrayLike | None=None, fullinertia: numpy.typing.ArrayLike | None=None, mocap: typing.SupportsInt | typing.SupportsIndex | None=None, gravcomp: typing.SupportsFloat | typing.SupportsIndex | None=None, sleep: typing.SupportsInt | typing.SupportsIndex | None=None, simple: typing.SupportsInt | typing.SupportsIndex | None=None, fuse: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, explicitinertial: typing.SupportsInt | typing.SupportsIndex | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsBody:
         ...
 
-    def add_camera(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, proj: typing.SupportsInt | typing.SupportsIndex | None=None, resolution: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, output: typing.SupportsInt | typing.SupportsIndex | None=None, fovy: typing.SupportsFloat | typing.SupportsIndex | None=None, ipd: typing.SupportsFloat | typing.SupportsIndex | None=None, intrinsic: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, sensor_size: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, focal_length: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, focal_pixel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, principal_length: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, principal_pixel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsCamera:
+    def add_camera(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, proj: typing.SupportsInt | typing.SupportsIndex | None=None, resolution: numpy.typing.ArrayLike | None=None, output: typing.SupportsInt | typing.SupportsIndex | None=None, fovy: typing.SupportsFloat | typing.SupportsIndex | None=None, ipd: typing.SupportsFloat | typing.SupportsIndex | None=None, intrinsic: numpy.typing.ArrayLike | None=None, sensor_size: numpy.typing.ArrayLike | None=None, focal_length: numpy.typing.ArrayLike | None=None, focal_pixel: numpy.typing.ArrayLike | None=None, principal_length: numpy.typing.ArrayLike | None=None, principal_pixel: numpy.typing.ArrayLike | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsCamera:
         ...
 
-    def add_frame(self, default: MjsFrame=None, name: str | None=None, childclass: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, scale: typing.Any | None=None, scaling: typing.SupportsInt | typing.SupportsIndex | None=None, massscale: typing.SupportsFloat | typing.SupportsIndex | None=None, info: str | None=None) -> MjsFrame:
+    def add_frame(self, default: MjsFrame=None, name: str | None=None, childclass: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, scale: typing.Any | None=None, scaling: typing.SupportsInt | typing.SupportsIndex | None=None, massscale: typing.SupportsFloat | typing.SupportsIndex | None=None, info: str | None=None) -> MjsFrame:
         ...
 
     def add_freejoint(self, **kwargs) -> MjsJoint:
         ...
 
-    def add_geom(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fromto: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, size: typing.Any | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, surfacevel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, density: typing.SupportsFloat | typing.SupportsIndex | None=None, typeinertia: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_ellipsoid: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_coefs: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, material: str | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, hfieldname: str | None=None, meshname: str | None=None, fitscale: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsGeom:
+    def add_geom(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, fromto: numpy.typing.ArrayLike | None=None, size: typing.Any | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: numpy.typing.ArrayLike | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: numpy.typing.ArrayLike | None=None, solimp: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, surfacevel: numpy.typing.ArrayLike | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, density: typing.SupportsFloat | typing.SupportsIndex | None=None, typeinertia: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_ellipsoid: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_coefs: numpy.typing.ArrayLike | None=None, material: str | None=None, rgba: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, hfieldname: str | None=None, meshname: str | None=None, fitscale: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsGeom:
         ...
 
-    def add_joint(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ref: typing.SupportsFloat | typing.SupportsIndex | None=None, align: typing.SupportsInt | typing.SupportsIndex | None=None, stiffness: typing.Any | None=None, springref: typing.SupportsFloat | typing.SupportsIndex | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, springdamper: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, range: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrcrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, actgravcomp: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsJoint:
+    def add_joint(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: numpy.typing.ArrayLike | None=None, axis: numpy.typing.ArrayLike | None=None, ref: typing.SupportsFloat | typing.SupportsIndex | None=None, align: typing.SupportsInt | typing.SupportsIndex | None=None, stiffness: typing.Any | None=None, springref: typing.SupportsFloat | typing.SupportsIndex | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, springdamper: numpy.typing.ArrayLike | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, range: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: numpy.typing.ArrayLike | None=None, solimp_limit: numpy.typing.ArrayLike | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrcrange: numpy.typing.ArrayLike | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: numpy.typing.ArrayLike | None=None, solimp_friction: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, actgravcomp: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsJoint:
         ...
 
-    def add_light(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, dir: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, texture: str | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, bulbradius: typing.SupportsFloat | typing.SupportsIndex | None=None, intensity: typing.SupportsFloat | typing.SupportsIndex | None=None, range: typing.SupportsFloat | typing.SupportsIndex | None=None, attenuation: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, softness: typing.SupportsFloat | typing.SupportsIndex | None=None, exponent: typing.SupportsFloat | typing.SupportsIndex | None=None, ambient: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, diffuse: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, specular: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsLight:
+    def add_light(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, dir: numpy.typing.ArrayLike | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, texture: str | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, bulbradius: typing.SupportsFloat | typing.SupportsIndex | None=None, intensity: typing.SupportsFloat | typing.SupportsIndex | None=None, range: typing.SupportsFloat | typing.SupportsIndex | None=None, attenuation: numpy.typing.ArrayLike | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, softness: typing.SupportsFloat | typing.SupportsIndex | None=None, exponent: typing.SupportsFloat | typing.SupportsIndex | None=None, ambient: numpy.typing.ArrayLike | None=None, diffuse: numpy.typing.ArrayLike | None=None, specular: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsLight:
         ...
 
-    def add_site(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fromto: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, size: typing.Any | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, material: str | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, meshname: str | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsSite:
+    def add_site(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, fromto: numpy.typing.ArrayLike | None=None, size: typing.Any | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, material: str | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, rgba: numpy.typing.ArrayLike | None=None, meshname: str | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsSite:
         ...
 
     def attach_frame(self, frame: MjsFrame, prefix: str | None=None, suffix: str | None=None) -> MjsFrame:
@@ -648,7 +647,7 @@ class MjsBody:
     def first_site(self) -> MjsSite:
         ...
 
-    def make_flex(self, name: str, type: str | None=None, dim: typing.SupportsInt | typing.SupportsIndex=3, dof: str | None=None, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, cellcount: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, scale: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, radius: typing.SupportsFloat | typing.SupportsIndex=0.0, mass: typing.SupportsFloat | typing.SupportsIndex=1.0, inertiabox: typing.SupportsFloat | typing.SupportsIndex=0.005, equality: typing.SupportsInt | typing.SupportsIndex=0, rigid: typing.SupportsInt | typing.SupportsIndex=0, flatskin: typing.SupportsInt | typing.SupportsIndex=0, elastic2d: typing.SupportsInt | typing.SupportsIndex=0, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, origin: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, file: str | None=None, mesh: str | None=None, vfs: MjVfs=None) -> MjsFlex:
+    def make_flex(self, name: str, type: str | None=None, dim: typing.SupportsInt | typing.SupportsIndex=3, dof: str | None=None, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, cellcount: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None=None, spacing: numpy.typing.ArrayLike | None=None, scale: numpy.typing.ArrayLike | None=None, radius: typing.SupportsFloat | typing.SupportsIndex=0.0, mass: typing.SupportsFloat | typing.SupportsIndex=1.0, inertiabox: typing.SupportsFloat | typing.SupportsIndex=0.005, equality: typing.SupportsInt | typing.SupportsIndex=0, rigid: typing.SupportsInt | typing.SupportsIndex=0, flatskin: typing.SupportsInt | typing.SupportsIndex=0, elastic2d: typing.SupportsInt | typing.SupportsIndex=0, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, origin: numpy.typing.ArrayLike | None=None, file: str | None=None, mesh: str | None=None, vfs: MjVfs=None) -> MjsFlex:
         ...
 
     def next_body(self, arg0: MjsBody) -> MjsBody:
@@ -703,7 +702,7 @@ class MjsBody:
         ...
 
     @fullinertia.setter
-    def fullinertia(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def fullinertia(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -735,7 +734,7 @@ class MjsBody:
         ...
 
     @inertia.setter
-    def inertia(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def inertia(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -743,7 +742,7 @@ class MjsBody:
         ...
 
     @ipos.setter
-    def ipos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def ipos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -751,7 +750,7 @@ class MjsBody:
         ...
 
     @iquat.setter
-    def iquat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def iquat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -779,7 +778,7 @@ class MjsBody:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -787,7 +786,7 @@ class MjsBody:
         ...
 
     @quat.setter
-    def quat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def quat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -828,25 +827,25 @@ class MjsFrame:
     info: str
     name: str
 
-    def add_body(self, default: MjsDefault=None, name: str | None=None, childclass: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, ipos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, iquat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, inertia: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, iaxisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ixyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, izaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ieuler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fullinertia: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mocap: typing.SupportsInt | typing.SupportsIndex | None=None, gravcomp: typing.SupportsFloat | typing.SupportsIndex | None=None, sleep: typing.SupportsInt | typing.SupportsIndex | None=None, simple: typing.SupportsInt | typing.SupportsIndex | None=None, fuse: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, explicitinertial: typing.SupportsInt | typing.SupportsIndex | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsBody:
+    def add_body(self, default: MjsDefault=None, name: str | None=None, childclass: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, ipos: numpy.typing.ArrayLike | None=None, iquat: numpy.typing.ArrayLike | None=None, inertia: numpy.typing.ArrayLike | None=None, iaxisangle: numpy.typing.ArrayLike | None=None, ixyaxes: numpy.typing.ArrayLike | None=None, izaxis: numpy.typing.ArrayLike | None=None, ieuler: numpy.typing.ArrayLike | None=None, fullinertia: numpy.typing.ArrayLike | None=None, mocap: typing.SupportsInt | typing.SupportsIndex | None=None, gravcomp: typing.SupportsFloat | typing.SupportsIndex | None=None, sleep: typing.SupportsInt | typing.SupportsIndex | None=None, simple: typing.SupportsInt | typing.SupportsIndex | None=None, fuse: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, explicitinertial: typing.SupportsInt | typing.SupportsIndex | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsBody:
         ...
 
-    def add_camera(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, proj: typing.SupportsInt | typing.SupportsIndex | None=None, resolution: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, output: typing.SupportsInt | typing.SupportsIndex | None=None, fovy: typing.SupportsFloat | typing.SupportsIndex | None=None, ipd: typing.SupportsFloat | typing.SupportsIndex | None=None, intrinsic: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, sensor_size: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, focal_length: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, focal_pixel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, principal_length: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, principal_pixel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsCamera:
+    def add_camera(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, proj: typing.SupportsInt | typing.SupportsIndex | None=None, resolution: numpy.typing.ArrayLike | None=None, output: typing.SupportsInt | typing.SupportsIndex | None=None, fovy: typing.SupportsFloat | typing.SupportsIndex | None=None, ipd: typing.SupportsFloat | typing.SupportsIndex | None=None, intrinsic: numpy.typing.ArrayLike | None=None, sensor_size: numpy.typing.ArrayLike | None=None, focal_length: numpy.typing.ArrayLike | None=None, focal_pixel: numpy.typing.ArrayLike | None=None, principal_length: numpy.typing.ArrayLike | None=None, principal_pixel: numpy.typing.ArrayLike | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsCamera:
         ...
 
-    def add_frame(self, default: MjsFrame=None, name: str | None=None, childclass: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, scale: typing.Any | None=None, scaling: typing.SupportsInt | typing.SupportsIndex | None=None, massscale: typing.SupportsFloat | typing.SupportsIndex | None=None, info: str | None=None) -> MjsFrame:
+    def add_frame(self, default: MjsFrame=None, name: str | None=None, childclass: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, scale: typing.Any | None=None, scaling: typing.SupportsInt | typing.SupportsIndex | None=None, massscale: typing.SupportsFloat | typing.SupportsIndex | None=None, info: str | None=None) -> MjsFrame:
         ...
 
-    def add_geom(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fromto: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, size: typing.Any | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, surfacevel: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, density: typing.SupportsFloat | typing.SupportsIndex | None=None, typeinertia: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_ellipsoid: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_coefs: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, material: str | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, hfieldname: str | None=None, meshname: str | None=None, fitscale: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsGeom:
+    def add_geom(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, fromto: numpy.typing.ArrayLike | None=None, size: typing.Any | None=None, contype: typing.SupportsInt | typing.SupportsIndex | None=None, conaffinity: typing.SupportsInt | typing.SupportsIndex | None=None, condim: typing.SupportsInt | typing.SupportsIndex | None=None, priority: typing.SupportsInt | typing.SupportsIndex | None=None, friction: numpy.typing.ArrayLike | None=None, solmix: typing.SupportsFloat | typing.SupportsIndex | None=None, solref: numpy.typing.ArrayLike | None=None, solimp: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, gap: typing.SupportsFloat | typing.SupportsIndex | None=None, surfacevel: numpy.typing.ArrayLike | None=None, adhesion: typing.SupportsFloat | typing.SupportsIndex | None=None, mass: typing.SupportsFloat | typing.SupportsIndex | None=None, density: typing.SupportsFloat | typing.SupportsIndex | None=None, typeinertia: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_ellipsoid: typing.SupportsInt | typing.SupportsIndex | None=None, fluid_coefs: numpy.typing.ArrayLike | None=None, material: str | None=None, rgba: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, hfieldname: str | None=None, meshname: str | None=None, fitscale: typing.SupportsFloat | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, plugin: MjsPlugin | None=None, info: str | None=None) -> MjsGeom:
         ...
 
-    def add_joint(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, ref: typing.SupportsFloat | typing.SupportsIndex | None=None, align: typing.SupportsInt | typing.SupportsIndex | None=None, stiffness: typing.Any | None=None, springref: typing.SupportsFloat | typing.SupportsIndex | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, springdamper: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, range: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_limit: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrcrange: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, solimp_friction: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, actgravcomp: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsJoint:
+    def add_joint(self, default: MjsDefault=None, name: str | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, pos: numpy.typing.ArrayLike | None=None, axis: numpy.typing.ArrayLike | None=None, ref: typing.SupportsFloat | typing.SupportsIndex | None=None, align: typing.SupportsInt | typing.SupportsIndex | None=None, stiffness: typing.Any | None=None, springref: typing.SupportsFloat | typing.SupportsIndex | None=None, springyield: typing.SupportsFloat | typing.SupportsIndex | None=None, springdamper: numpy.typing.ArrayLike | None=None, limited: typing.SupportsInt | typing.SupportsIndex | None=None, range: numpy.typing.ArrayLike | None=None, margin: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_limit: numpy.typing.ArrayLike | None=None, solimp_limit: numpy.typing.ArrayLike | None=None, actfrclimited: typing.SupportsInt | typing.SupportsIndex | None=None, actfrcrange: numpy.typing.ArrayLike | None=None, armature: typing.SupportsFloat | typing.SupportsIndex | None=None, damping: typing.Any | None=None, frictionloss: typing.SupportsFloat | typing.SupportsIndex | None=None, solref_friction: numpy.typing.ArrayLike | None=None, solimp_friction: numpy.typing.ArrayLike | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, actgravcomp: typing.SupportsInt | typing.SupportsIndex | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsJoint:
         ...
 
-    def add_light(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, dir: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, texture: str | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, bulbradius: typing.SupportsFloat | typing.SupportsIndex | None=None, intensity: typing.SupportsFloat | typing.SupportsIndex | None=None, range: typing.SupportsFloat | typing.SupportsIndex | None=None, attenuation: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, softness: typing.SupportsFloat | typing.SupportsIndex | None=None, exponent: typing.SupportsFloat | typing.SupportsIndex | None=None, ambient: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, diffuse: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, specular: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsLight:
+    def add_light(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, dir: numpy.typing.ArrayLike | None=None, mode: typing.SupportsInt | typing.SupportsIndex | None=None, targetbody: str | None=None, active: typing.SupportsInt | typing.SupportsIndex | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, texture: str | None=None, castshadow: typing.SupportsInt | typing.SupportsIndex | None=None, bulbradius: typing.SupportsFloat | typing.SupportsIndex | None=None, intensity: typing.SupportsFloat | typing.SupportsIndex | None=None, range: typing.SupportsFloat | typing.SupportsIndex | None=None, attenuation: numpy.typing.ArrayLike | None=None, cutoff: typing.SupportsFloat | typing.SupportsIndex | None=None, softness: typing.SupportsFloat | typing.SupportsIndex | None=None, exponent: typing.SupportsFloat | typing.SupportsIndex | None=None, ambient: numpy.typing.ArrayLike | None=None, diffuse: numpy.typing.ArrayLike | None=None, specular: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsLight:
         ...
 
-    def add_site(self, default: MjsDefault=None, name: str | None=None, pos: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, quat: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, axisangle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, xyaxes: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, zaxis: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, euler: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, fromto: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, size: typing.Any | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, material: str | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, rgba: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, meshname: str | None=None, userdata: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None=None, info: str | None=None) -> MjsSite:
+    def add_site(self, default: MjsDefault=None, name: str | None=None, pos: numpy.typing.ArrayLike | None=None, quat: numpy.typing.ArrayLike | None=None, axisangle: numpy.typing.ArrayLike | None=None, xyaxes: numpy.typing.ArrayLike | None=None, zaxis: numpy.typing.ArrayLike | None=None, euler: numpy.typing.ArrayLike | None=None, fromto: numpy.typing.ArrayLike | None=None, size: typing.Any | None=None, type: typing.SupportsInt | typing.SupportsIndex | None=None, material: str | None=None, group: typing.SupportsInt | typing.SupportsIndex | None=None, rgba: numpy.typing.ArrayLike | None=None, meshname: str | None=None, userdata: numpy.typing.ArrayLike | None=None, info: str | None=None) -> MjsSite:
         ...
 
     def attach_body(self, body: MjsBody, prefix: str | None=None, suffix: str | None=None) -> MjsBody:
@@ -884,7 +883,7 @@ class MjsFrame:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -892,7 +891,7 @@ class MjsFrame:
         ...
 
     @quat.setter
-    def quat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def quat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -986,7 +985,7 @@ class MjsGeom:
         ...
 
     @fluid_coefs.setter
-    def fluid_coefs(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def fluid_coefs(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1006,7 +1005,7 @@ class MjsGeom:
         ...
 
     @friction.setter
-    def friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1014,7 +1013,7 @@ class MjsGeom:
         ...
 
     @fromto.setter
-    def fromto(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def fromto(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1062,7 +1061,7 @@ class MjsGeom:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1078,7 +1077,7 @@ class MjsGeom:
         ...
 
     @quat.setter
-    def quat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def quat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1086,7 +1085,7 @@ class MjsGeom:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1098,7 +1097,7 @@ class MjsGeom:
         ...
 
     @size.setter
-    def size(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def size(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1106,7 +1105,7 @@ class MjsGeom:
         ...
 
     @solimp.setter
-    def solimp(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1122,7 +1121,7 @@ class MjsGeom:
         ...
 
     @solref.setter
-    def solref(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1130,7 +1129,7 @@ class MjsGeom:
         ...
 
     @surfacevel.setter
-    def surfacevel(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def surfacevel(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1179,7 +1178,7 @@ class MjsJoint:
         ...
 
     @actfrcrange.setter
-    def actfrcrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def actfrcrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1203,7 +1202,7 @@ class MjsJoint:
         ...
 
     @axis.setter
-    def axis(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def axis(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1215,7 +1214,7 @@ class MjsJoint:
         ...
 
     @damping.setter
-    def damping(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def damping(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1267,7 +1266,7 @@ class MjsJoint:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1275,7 +1274,7 @@ class MjsJoint:
         ...
 
     @range.setter
-    def range(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def range(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1295,7 +1294,7 @@ class MjsJoint:
         ...
 
     @solimp_friction.setter
-    def solimp_friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp_friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1303,7 +1302,7 @@ class MjsJoint:
         ...
 
     @solimp_limit.setter
-    def solimp_limit(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp_limit(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1311,7 +1310,7 @@ class MjsJoint:
         ...
 
     @solref_friction.setter
-    def solref_friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref_friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1319,7 +1318,7 @@ class MjsJoint:
         ...
 
     @solref_limit.setter
-    def solref_limit(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref_limit(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1327,7 +1326,7 @@ class MjsJoint:
         ...
 
     @springdamper.setter
-    def springdamper(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def springdamper(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1351,7 +1350,7 @@ class MjsJoint:
         ...
 
     @stiffness.setter
-    def stiffness(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def stiffness(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1387,7 +1386,7 @@ class MjsLight:
         ...
 
     @ambient.setter
-    def ambient(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def ambient(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1395,7 +1394,7 @@ class MjsLight:
         ...
 
     @attenuation.setter
-    def attenuation(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def attenuation(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1423,7 +1422,7 @@ class MjsLight:
         ...
 
     @diffuse.setter
-    def diffuse(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def diffuse(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1431,7 +1430,7 @@ class MjsLight:
         ...
 
     @dir.setter
-    def dir(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def dir(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1475,7 +1474,7 @@ class MjsLight:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1503,7 +1502,7 @@ class MjsLight:
         ...
 
     @specular.setter
-    def specular(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def specular(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1557,7 +1556,7 @@ class MjsMaterial:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1593,7 +1592,7 @@ class MjsMaterial:
         ...
 
     @texrepeat.setter
-    def texrepeat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def texrepeat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1631,7 +1630,7 @@ class MjsSite:
         ...
 
     @fromto.setter
-    def fromto(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def fromto(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1655,7 +1654,7 @@ class MjsSite:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1663,7 +1662,7 @@ class MjsSite:
         ...
 
     @quat.setter
-    def quat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def quat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1671,7 +1670,7 @@ class MjsSite:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1683,7 +1682,7 @@ class MjsSite:
         ...
 
     @size.setter
-    def size(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def size(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1713,22 +1712,22 @@ class MjsMesh:
     plugin: MjsPlugin
     smoothnormal: bool
 
-    def make_box(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
+    def make_box(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike, dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
         ...
 
     def make_cone(self, nedge: typing.SupportsInt | typing.SupportsIndex, radius: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
-    def make_cylinder(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
+    def make_cylinder(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike, dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
         ...
 
-    def make_disc(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None:
+    def make_disc(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike) -> None:
         ...
 
-    def make_ellipsoid(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
+    def make_ellipsoid(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike, dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
         ...
 
-    def make_grid(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
+    def make_grid(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike, dim: typing.SupportsInt | typing.SupportsIndex=3) -> None:
         ...
 
     def make_hemisphere(self, resolution: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -1740,7 +1739,7 @@ class MjsMesh:
     def make_sphere(self, subdivision: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
-    def make_square(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None:
+    def make_square(self, count: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], spacing: numpy.typing.ArrayLike) -> None:
         ...
 
     def make_supersphere(self, resolution: typing.SupportsInt | typing.SupportsIndex, e: typing.SupportsFloat | typing.SupportsIndex, n: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -1749,7 +1748,7 @@ class MjsMesh:
     def make_supertorus(self, resolution: typing.SupportsInt | typing.SupportsIndex, radius: typing.SupportsFloat | typing.SupportsIndex, s: typing.SupportsFloat | typing.SupportsIndex, t: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
-    def make_wedge(self, resolution: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], 'FixedSize(2)']=[0, 0], fov: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(2)']=[0.0, 0.0], gamma: typing.SupportsFloat | typing.SupportsIndex=0) -> None:
+    def make_wedge(self, resolution: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], 'FixedSize(2)']=[0, 0], fov: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(2)']=[0.0, 0.0], gamma: typing.SupportsFloat | typing.SupportsIndex=0) -> None:
         ...
 
     @property
@@ -1789,7 +1788,7 @@ class MjsMesh:
         ...
 
     @refpos.setter
-    def refpos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def refpos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1797,7 +1796,7 @@ class MjsMesh:
         ...
 
     @refquat.setter
-    def refquat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def refquat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1805,7 +1804,7 @@ class MjsMesh:
         ...
 
     @scale.setter
-    def scale(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def scale(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -1943,7 +1942,7 @@ class MjsSkin:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2041,7 +2040,7 @@ class MjsTexture:
         ...
 
     @gridsize.setter
-    def gridsize(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.int32], '[2, 1]']) -> None:
+    def gridsize(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2069,7 +2068,7 @@ class MjsTexture:
         ...
 
     @markrgb.setter
-    def markrgb(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def markrgb(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2093,7 +2092,7 @@ class MjsTexture:
         ...
 
     @rgb1.setter
-    def rgb1(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def rgb1(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2101,7 +2100,7 @@ class MjsTexture:
         ...
 
     @rgb2.setter
-    def rgb2(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def rgb2(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2200,7 +2199,7 @@ class MjsCamera:
         ...
 
     @focal_length.setter
-    def focal_length(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def focal_length(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2208,7 +2207,7 @@ class MjsCamera:
         ...
 
     @focal_pixel.setter
-    def focal_pixel(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def focal_pixel(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2232,7 +2231,7 @@ class MjsCamera:
         ...
 
     @intrinsic.setter
-    def intrinsic(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def intrinsic(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2268,7 +2267,7 @@ class MjsCamera:
         ...
 
     @pos.setter
-    def pos(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def pos(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2276,7 +2275,7 @@ class MjsCamera:
         ...
 
     @principal_length.setter
-    def principal_length(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def principal_length(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2284,7 +2283,7 @@ class MjsCamera:
         ...
 
     @principal_pixel.setter
-    def principal_pixel(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def principal_pixel(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2300,7 +2299,7 @@ class MjsCamera:
         ...
 
     @quat.setter
-    def quat(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def quat(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2308,7 +2307,7 @@ class MjsCamera:
         ...
 
     @resolution.setter
-    def resolution(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.int32], '[2, 1]']) -> None:
+    def resolution(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2316,7 +2315,7 @@ class MjsCamera:
         ...
 
     @sensor_size.setter
-    def sensor_size(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[2, 1]']) -> None:
+    def sensor_size(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2349,7 +2348,7 @@ class MjsFlex:
         ...
 
     @cellcount.setter
-    def cellcount(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.int32], '[3, 1]']) -> None:
+    def cellcount(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2449,7 +2448,7 @@ class MjsFlex:
         ...
 
     @friction.setter
-    def friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2549,7 +2548,7 @@ class MjsFlex:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2565,7 +2564,7 @@ class MjsFlex:
         ...
 
     @sectionsize.setter
-    def sectionsize(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def sectionsize(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2593,7 +2592,7 @@ class MjsFlex:
         ...
 
     @size.setter
-    def size(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def size(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2601,7 +2600,7 @@ class MjsFlex:
         ...
 
     @solimp.setter
-    def solimp(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2617,7 +2616,7 @@ class MjsFlex:
         ...
 
     @solref.setter
-    def solref(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2625,7 +2624,7 @@ class MjsFlex:
         ...
 
     @stressyield.setter
-    def stressyield(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def stressyield(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2707,7 +2706,7 @@ class MjsHField:
         ...
 
     @size.setter
-    def size(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def size(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2862,7 +2861,7 @@ class MjsPair:
         ...
 
     @friction.setter
-    def friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2894,7 +2893,7 @@ class MjsPair:
         ...
 
     @solimp.setter
-    def solimp(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2902,7 +2901,7 @@ class MjsPair:
         ...
 
     @solref.setter
-    def solref(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2910,7 +2909,7 @@ class MjsPair:
         ...
 
     @solreffriction.setter
-    def solreffriction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solreffriction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjsExclude:
@@ -2948,7 +2947,7 @@ class MjsEquality:
         ...
 
     @data.setter
-    def data(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[12, 1]']) -> None:
+    def data(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2972,7 +2971,7 @@ class MjsEquality:
         ...
 
     @solimp.setter
-    def solimp(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -2980,7 +2979,7 @@ class MjsEquality:
         ...
 
     @solref.setter
-    def solref(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3024,7 +3023,7 @@ class MjsTendon:
         ...
 
     @actfrcrange.setter
-    def actfrcrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def actfrcrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3044,7 +3043,7 @@ class MjsTendon:
         ...
 
     @damping.setter
-    def damping(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def damping(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3092,7 +3091,7 @@ class MjsTendon:
         ...
 
     @range.setter
-    def range(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def range(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3100,7 +3099,7 @@ class MjsTendon:
         ...
 
     @rgba.setter
-    def rgba(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rgba(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3112,7 +3111,7 @@ class MjsTendon:
         ...
 
     @solimp_friction.setter
-    def solimp_friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp_friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3120,7 +3119,7 @@ class MjsTendon:
         ...
 
     @solimp_limit.setter
-    def solimp_limit(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def solimp_limit(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3128,7 +3127,7 @@ class MjsTendon:
         ...
 
     @solref_friction.setter
-    def solref_friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref_friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3136,7 +3135,7 @@ class MjsTendon:
         ...
 
     @solref_limit.setter
-    def solref_limit(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def solref_limit(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3144,7 +3143,7 @@ class MjsTendon:
         ...
 
     @springlength.setter
-    def springlength(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def springlength(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3160,7 +3159,7 @@ class MjsTendon:
         ...
 
     @stiffness.setter
-    def stiffness(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def stiffness(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3242,7 +3241,7 @@ class MjsSensor:
         ...
 
     @interval.setter
-    def interval(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def interval(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3250,7 +3249,7 @@ class MjsSensor:
         ...
 
     @intprm.setter
-    def intprm(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.int32], '[3, 1]']) -> None:
+    def intprm(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3332,7 +3331,7 @@ class MjsActuator:
     def set_to_damper(self, kv: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
-    def set_to_dcmotor(self, motorconst: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(2)'], resistance: typing.SupportsFloat | typing.SupportsIndex, nominal: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(3)']=[0.0, 0.0, 0.0], saturation: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(3)']=[0.0, 0.0, 0.0], inductance: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(2)']=[0.0, 0.0], cogging: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(3)']=[0.0, 0.0, 0.0], controller: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(6)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], thermal: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(6)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], lugre: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(5)']=[0.0, 0.0, 0.0, 0.0, 0.0], ctrlspec: typing.SupportsInt | typing.SupportsIndex=0) -> None:
+    def set_to_dcmotor(self, motorconst: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(2)'], resistance: typing.SupportsFloat | typing.SupportsIndex, nominal: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(3)']=[0.0, 0.0, 0.0], saturation: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(3)']=[0.0, 0.0, 0.0], inductance: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(2)']=[0.0, 0.0], cogging: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(3)']=[0.0, 0.0, 0.0], controller: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(6)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], thermal: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(6)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], lugre: typing.Annotated[numpy.typing.ArrayLike, 'FixedSize(5)']=[0.0, 0.0, 0.0, 0.0, 0.0], ctrlspec: typing.SupportsInt | typing.SupportsIndex=0) -> None:
         ...
 
     def set_to_intvelocity(self, kp: typing.SupportsFloat | typing.SupportsIndex, kv: typing.SupportsFloat | typing.SupportsIndex=-1, dampratio: typing.SupportsFloat | typing.SupportsIndex=-1, timeconst: typing.SupportsFloat | typing.SupportsIndex=-1, inheritrange: bool=False) -> None:
@@ -3377,7 +3376,7 @@ class MjsActuator:
         ...
 
     @actrange.setter
-    def actrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def actrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3393,7 +3392,7 @@ class MjsActuator:
         ...
 
     @biasprm.setter
-    def biasprm(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[10, 1]']) -> None:
+    def biasprm(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3429,7 +3428,7 @@ class MjsActuator:
         ...
 
     @ctrlrange.setter
-    def ctrlrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def ctrlrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3445,7 +3444,7 @@ class MjsActuator:
         ...
 
     @damping.setter
-    def damping(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def damping(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3461,7 +3460,7 @@ class MjsActuator:
         ...
 
     @dynprm.setter
-    def dynprm(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[10, 1]']) -> None:
+    def dynprm(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3477,7 +3476,7 @@ class MjsActuator:
         ...
 
     @ffrange.setter
-    def ffrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def ffrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3493,7 +3492,7 @@ class MjsActuator:
         ...
 
     @forcerange.setter
-    def forcerange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def forcerange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3501,7 +3500,7 @@ class MjsActuator:
         ...
 
     @gainprm.setter
-    def gainprm(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[10, 1]']) -> None:
+    def gainprm(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3517,7 +3516,7 @@ class MjsActuator:
         ...
 
     @gear.setter
-    def gear(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def gear(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3553,7 +3552,7 @@ class MjsActuator:
         ...
 
     @lengthrange.setter
-    def lengthrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def lengthrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3597,7 +3596,7 @@ class MjsActuator:
         ...
 
     @velrange.setter
-    def velrange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def velrange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjsPlugin:
@@ -3630,7 +3629,7 @@ class MjsOrientation:
         ...
 
     @axisangle.setter
-    def axisangle(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[4, 1]']) -> None:
+    def axisangle(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3638,7 +3637,7 @@ class MjsOrientation:
         ...
 
     @euler.setter
-    def euler(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def euler(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3654,7 +3653,7 @@ class MjsOrientation:
         ...
 
     @xyaxes.setter
-    def xyaxes(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[6, 1]']) -> None:
+    def xyaxes(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3662,7 +3661,7 @@ class MjsOrientation:
         ...
 
     @zaxis.setter
-    def zaxis(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def zaxis(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjsWrap:
@@ -3755,7 +3754,7 @@ class MjOption:
         ...
 
     @gravity.setter
-    def gravity(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def gravity(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3811,7 +3810,7 @@ class MjOption:
         ...
 
     @magnetic.setter
-    def magnetic(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def magnetic(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3835,7 +3834,7 @@ class MjOption:
         ...
 
     @o_friction.setter
-    def o_friction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def o_friction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3851,7 +3850,7 @@ class MjOption:
         ...
 
     @o_solimp.setter
-    def o_solimp(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[5, 1]']) -> None:
+    def o_solimp(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3859,7 +3858,7 @@ class MjOption:
         ...
 
     @o_solref.setter
-    def o_solref(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[2, 1]']) -> None:
+    def o_solref(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3923,7 +3922,7 @@ class MjOption:
         ...
 
     @wind.setter
-    def wind(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def wind(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjStatistic:
@@ -3933,7 +3932,7 @@ class MjStatistic:
         ...
 
     @center.setter
-    def center(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], '[3, 1]']) -> None:
+    def center(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3991,7 +3990,7 @@ class MjVisualHeadlight:
         ...
 
     @ambient.setter
-    def ambient(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def ambient(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -3999,7 +3998,7 @@ class MjVisualHeadlight:
         ...
 
     @diffuse.setter
-    def diffuse(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def diffuse(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4007,7 +4006,7 @@ class MjVisualHeadlight:
         ...
 
     @specular.setter
-    def specular(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[3, 1]']) -> None:
+    def specular(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjVisualRgba:
@@ -4017,7 +4016,7 @@ class MjVisualRgba:
         ...
 
     @actuator.setter
-    def actuator(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def actuator(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4025,7 +4024,7 @@ class MjVisualRgba:
         ...
 
     @actuatornegative.setter
-    def actuatornegative(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def actuatornegative(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4033,7 +4032,7 @@ class MjVisualRgba:
         ...
 
     @actuatorpositive.setter
-    def actuatorpositive(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def actuatorpositive(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4041,7 +4040,7 @@ class MjVisualRgba:
         ...
 
     @bv.setter
-    def bv(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def bv(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4049,7 +4048,7 @@ class MjVisualRgba:
         ...
 
     @bvactive.setter
-    def bvactive(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def bvactive(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4057,7 +4056,7 @@ class MjVisualRgba:
         ...
 
     @camera.setter
-    def camera(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def camera(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4065,7 +4064,7 @@ class MjVisualRgba:
         ...
 
     @com.setter
-    def com(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def com(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4073,7 +4072,7 @@ class MjVisualRgba:
         ...
 
     @connect.setter
-    def connect(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def connect(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4081,7 +4080,7 @@ class MjVisualRgba:
         ...
 
     @constraint.setter
-    def constraint(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def constraint(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4089,7 +4088,7 @@ class MjVisualRgba:
         ...
 
     @contactforce.setter
-    def contactforce(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def contactforce(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4097,7 +4096,7 @@ class MjVisualRgba:
         ...
 
     @contactfriction.setter
-    def contactfriction(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def contactfriction(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4105,7 +4104,7 @@ class MjVisualRgba:
         ...
 
     @contactgap.setter
-    def contactgap(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def contactgap(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4113,7 +4112,7 @@ class MjVisualRgba:
         ...
 
     @contactpoint.setter
-    def contactpoint(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def contactpoint(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4121,7 +4120,7 @@ class MjVisualRgba:
         ...
 
     @contacttorque.setter
-    def contacttorque(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def contacttorque(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4129,7 +4128,7 @@ class MjVisualRgba:
         ...
 
     @crankbroken.setter
-    def crankbroken(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def crankbroken(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4137,7 +4136,7 @@ class MjVisualRgba:
         ...
 
     @fog.setter
-    def fog(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def fog(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4145,7 +4144,7 @@ class MjVisualRgba:
         ...
 
     @force.setter
-    def force(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def force(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4153,7 +4152,7 @@ class MjVisualRgba:
         ...
 
     @frustum.setter
-    def frustum(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def frustum(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4161,7 +4160,7 @@ class MjVisualRgba:
         ...
 
     @haze.setter
-    def haze(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def haze(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4169,7 +4168,7 @@ class MjVisualRgba:
         ...
 
     @inertia.setter
-    def inertia(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def inertia(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4177,7 +4176,7 @@ class MjVisualRgba:
         ...
 
     @joint.setter
-    def joint(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def joint(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4185,7 +4184,7 @@ class MjVisualRgba:
         ...
 
     @light.setter
-    def light(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def light(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4193,7 +4192,7 @@ class MjVisualRgba:
         ...
 
     @rangefinder.setter
-    def rangefinder(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def rangefinder(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4201,7 +4200,7 @@ class MjVisualRgba:
         ...
 
     @selectpoint.setter
-    def selectpoint(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def selectpoint(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
@@ -4209,7 +4208,7 @@ class MjVisualRgba:
         ...
 
     @slidercrank.setter
-    def slidercrank(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float32], '[4, 1]']) -> None:
+    def slidercrank(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
 class MjsCompiler:
@@ -4281,7 +4280,7 @@ class MjsCompiler:
         ...
 
     @inertiagrouprange.setter
-    def inertiagrouprange(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.int32], '[2, 1]']) -> None:
+    def inertiagrouprange(self, arg1: numpy.typing.ArrayLike) -> None:
         ...
 
     @property

@@ -1,7 +1,6 @@
 from __future__ import annotations
 import collections.abc
 import mujoco._enums
-import mujoco._structs
 import mujoco._specs
 import numpy
 import numpy.typing

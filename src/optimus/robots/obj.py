@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from optimus.errors import AssetError
 
@@ -79,7 +79,7 @@ def reduce(mesh: Mesh, count: int) -> Mesh:
 
     if len(mesh.faces) <= count:
         return mesh
-    points, faces = fast_simplification.simplify(
+    points, faces, *_ = fast_simplification.simplify(
         mesh.points, mesh.faces.astype(np.int32), target_count=count, agg=AGGRESSION
     )
     flat = Mesh(points, faces, np.zeros((len(faces), 3, 3)))
@@ -87,7 +87,7 @@ def reduce(mesh: Mesh, count: int) -> Mesh:
     # slightly inwards, so that a corner on an edge looks at its own face's side of it
     corners = (0.97 * points[faces] + 0.03 * points[faces].mean(axis=1, keepdims=True)).reshape(-1, 3)
     near = min(NEIGHBOURS, len(mesh.faces))
-    _, index = cKDTree(mesh.points[mesh.faces].mean(axis=1)).query(corners, k=near)
+    _, index = KDTree(mesh.points[mesh.faces].mean(axis=1)).query(corners, k=near)
     index = np.asarray(index).reshape(len(corners), near)
     theirs = _unit(mesh.normals.mean(axis=1))[index]
     weights = mesh.areas[index] * (np.einsum("cki,ci->ck", theirs, own) > SAME_SIDE)
