@@ -12,6 +12,7 @@ from functools import lru_cache
 from itertools import count
 from pathlib import Path
 
+from optimus.control import POSITION_SCALE
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -89,7 +90,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     task = task_named(config.task)
     cameras = compile_scene(task.problem(config.seed).scene).image_cameras
     _require_writable(config.out)
-    about = {"seed": config.seed, "control": "osc", "expert": asdict(config.expert)}
+    about = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
     return EpisodeStore.create(config.out, task.name, cameras, about)
 
 

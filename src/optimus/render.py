@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
-
-# one software-rendering thread a process: rollouts are parallel across processes, and threads would fight (docs/performance.md)
-os.environ.setdefault("MUJOCO_GL", "egl")
-os.environ.setdefault("LP_NUM_THREADS", "1")
-
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from optimus.errors import ModelError
+from optimus.objects.shapes import Rgba
 from optimus.scene import Camera, World
+from optimus.se3 import Array
 
 
 class Rig:
@@ -20,7 +17,11 @@ class Rig:
 
     def __init__(self, world: World, height: int, width: int | None = None, shadows: bool = False) -> None:
         self.world = world
-        self._renderer = mujoco.Renderer(world.model, height, width or height)
+        try:
+            self._renderer = mujoco.Renderer(world.model, height, width or height)
+        except (mujoco.FatalError, ImportError, RuntimeError, AttributeError) as error:
+            remedy = "install Mesa's EGL (Debian: libegl1 libgl1-mesa-dri) or set MUJOCO_GL to a library you have"
+            raise ModelError(f"no GL library for off-screen rendering: {error}; {remedy}") from error
         self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
         self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
         self._option = mujoco.MjvOption()
@@ -30,8 +31,10 @@ class Rig:
         self._renderer.update_scene(data, self.world.camera_id(camera), self._option)
         return self._renderer.render()
 
-    def view(self, data: mujoco.MjData, camera: Camera) -> NDArray[np.uint8]:
-        """`(height, width, 3)` from a free camera."""
+    def view(
+        self, data: mujoco.MjData, camera: Camera, paths: tuple[tuple[Array, Rgba], ...] = ()
+    ) -> NDArray[np.uint8]:
+        """`(height, width, 3)` from a free camera, with polylines `(points (n, 3) [m], colour)` drawn into the scene."""
         free = mujoco.MjvCamera()
         offset = np.subtract(camera.target, camera.pos)
         free.type = mujoco.mjtCamera.mjCAMERA_FREE
@@ -40,9 +43,21 @@ class Rig:
         free.azimuth = float(np.degrees(np.arctan2(offset[1], offset[0])))
         free.elevation = float(np.degrees(np.arcsin(offset[2] / free.distance)))
         self._renderer.update_scene(data, free, self._option)
+        for points, colour in paths:
+            self._draw(points, colour)
         return self._renderer.render()
 
+    def _draw(self, points: Array, colour: Rgba, radius: float = 0.0035) -> None:
+        scene = self._renderer.scene
+        for a, b in zip(points, points[1:], strict=False):
+            if scene.ngeom >= scene.maxgeom:
+                return
+            geom = scene.geoms[scene.ngeom]
+            kind = mujoco.mjtGeom.mjGEOM_CAPSULE
+            mujoco.mjv_initGeom(geom, kind, np.zeros(3), np.zeros(3), np.zeros(9), np.array(colour, np.float32))
+            mujoco.mjv_connector(geom, kind, radius, a, b)
+            scene.ngeom += 1
+
     def close(self) -> None:
+        """Free the GL context."""
         self._renderer.close()
-
-

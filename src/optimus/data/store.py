@@ -111,7 +111,12 @@ class EpisodeStore:
             raise DatasetError(f"{path} is not empty and holds no dataset.json; name a new or empty folder")
         for folder in (path, path / "episodes", path / "failures"):
             make_folder(folder)
-        description = {"format": DATASET_FORMAT, "version": VERSION, **wanted, "versions": installed_versions()}
+        description = {
+            "format": DATASET_FORMAT,
+            "version": VERSION,
+            **wanted,
+            "versions": installed_versions(),
+        }
         write_json(path / "dataset.json", description)
         return cls(path, description)
 
@@ -143,9 +148,13 @@ class EpisodeStore:
     def write(self, episode: Episode) -> None:
         """Add a successful episode, whole or not at all."""
         if episode.task != self.task:
-            raise DatasetError(f"an episode of {episode.task!r} does not belong in {self.path}, a dataset of {self.task!r}")
+            raise DatasetError(
+                f"an episode of {episode.task!r} does not belong in {self.path}, a dataset of {self.task!r}"
+            )
         if episode.cameras != self.cameras:
-            raise DatasetError(f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}")
+            raise DatasetError(
+                f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}"
+            )
         path = self.episode_path(episode.seed)
         arrays = _arrays(episode)
         for name, array in arrays.items():
@@ -170,7 +179,9 @@ class EpisodeStore:
             raise DatasetError(f"{self.path} holds no episode {seed}; it holds {_range_text(self.seeds)}")
         header = read_header(path)
         if header.task != self.task:
-            raise DatasetError(f"{path} is an episode of {header.task!r}, not of {self.task!r}; move it out of the dataset")
+            raise DatasetError(
+                f"{path} is an episode of {header.task!r}, not of {self.task!r}; move it out of the dataset"
+            )
         return header
 
     def headers(self) -> list[EpisodeHeader]:
@@ -256,7 +267,9 @@ def _package_version() -> str:
 
 
 def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
-    return ArraySlot(np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0])
+    return ArraySlot(
+        np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0]
+    )
 
 
 def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:
@@ -307,12 +320,16 @@ def _metadata(episode: Episode) -> str:
 def _read_description(path: Path) -> dict[str, Any]:
     file = path / "dataset.json"
     if not file.exists():
-        raise DatasetError(f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one")
+        raise DatasetError(
+            f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one"
+        )
     value = _read_json(file)
     if not isinstance(value, dict) or value.get("format") != DATASET_FORMAT:
         raise DatasetError(f"{file} does not describe a dataset of this program; name another folder")
     if value.get("version") != VERSION or not {"task", "cameras", "config"} <= value.keys():
-        raise DatasetError(f"{file} has version {value.get('version')!r}; this program reads version {VERSION}")
+        raise DatasetError(
+            f"{file} has version {value.get('version')!r}; this program reads version {VERSION}"
+        )
     return value
 
 

@@ -26,7 +26,10 @@ class PolicyAgent:
     """
 
     def __init__(
-        self, policy: Policy | Path | str, component: Literal["sampled", "likeliest"] = "sampled", task: str | None = None
+        self,
+        policy: Policy | Path | str,
+        component: Literal["sampled", "likeliest"] = "sampled",
+        task: str | None = None,
     ) -> None:
         self.policy = policy if isinstance(policy, Policy) else checkpoint.load(policy, task)
         self.policy.eval()
@@ -63,8 +66,14 @@ class PolicyAgent:
                 f"the policy needs {', '.join(missing)}, the observation has {', '.join(sorted(observation))}; "
                 "use the environment it was trained in"
             )
-        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], self.policy.config.crop) for camera in inputs.cameras}
-        low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
+        images = {
+            camera: _centre(observation[camera + IMAGE_SUFFIX], self.policy.config.crop)
+            for camera in inputs.cameras
+        }
+        low = {
+            name: torch.as_tensor(observation[name], dtype=torch.float32)[None]
+            for name in inputs.proprioception
+        }
         return self.policy.tokens(self.policy.frames(images, low))
 
 

@@ -37,19 +37,26 @@ def read_config(run: Path) -> dict[str, Any]:
     try:
         config = json.loads(file.read_text())
     except FileNotFoundError as error:
-        raise CheckpointError(f"{run} holds no trained policy (no {CONFIG_FILE}); name the folder of a training run") from error
+        raise CheckpointError(
+            f"{run} holds no trained policy (no {CONFIG_FILE}); name the folder of a training run"
+        ) from error
     except (OSError, ValueError) as error:
         raise CheckpointError(f"cannot read {file} ({error}); train again or name another run") from error
     if not isinstance(config, dict) or config.get("format") != RUN_FORMAT:
         raise CheckpointError(f"{file} does not describe a training run of this program; name another folder")
     if config.get("version") != VERSION:
-        raise CheckpointError(f"{file} has version {config.get('version')!r}; this program reads version {VERSION}")
+        raise CheckpointError(
+            f"{file} has version {config.get('version')!r}; this program reads version {VERSION}"
+        )
     return config
 
 
 def save(run: Path, policy: Policy) -> None:
     """Write the weights of a policy, whole or not at all."""
-    write_whole(run / MODEL_FILE, serialise(contiguous(policy.state_dict()), {"format": "pt", "task": policy.inputs.task}))
+    write_whole(
+        run / MODEL_FILE,
+        serialise(contiguous(policy.state_dict()), {"format": "pt", "task": policy.inputs.task}),
+    )
 
 
 def load(run: Path | str, task: str | None = None) -> Policy:
@@ -58,11 +65,15 @@ def load(run: Path | str, task: str | None = None) -> Policy:
     config = read_config(run)
     trained_for = config.get("inputs", {}).get("task")
     if task is not None and task != trained_for:
-        raise CheckpointError(f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}")
+        raise CheckpointError(
+            f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}"
+        )
     try:
         policy = Policy.from_description(config)
     except (KeyError, TypeError, ValueError) as error:
-        raise CheckpointError(f"{run / CONFIG_FILE} does not describe a policy ({error}); train again") from error
+        raise CheckpointError(
+            f"{run / CONFIG_FILE} does not describe a policy ({error}); train again"
+        ) from error
     load_weights(policy, read_tensors(run / MODEL_FILE), run / MODEL_FILE)
     return policy.eval()
 
@@ -72,7 +83,9 @@ def read_tensors(file: Path) -> dict[str, Tensor]:
     try:
         return parse(file.read_bytes())
     except FileNotFoundError as error:
-        raise CheckpointError(f"{file} is missing: training has not reached its first checkpoint; train on") from error
+        raise CheckpointError(
+            f"{file} is missing: training has not reached its first checkpoint; train on"
+        ) from error
     except (OSError, SafetensorError) as error:
         raise CheckpointError(f"{file} is damaged ({error}); train again or name another run") from error
 
@@ -84,7 +97,9 @@ def load_weights(policy: Policy, tensors: Mapping[str, Tensor], file: Path) -> N
         have = tuple(tensors[name].shape) if name in tensors else None
         want = tuple(own[name].shape) if name in own else None
         if have != want:
-            raise CheckpointError(f"{file}: {name} has shape {have}, the policy of its {CONFIG_FILE} has {want}; train again")
+            raise CheckpointError(
+                f"{file}: {name} has shape {have}, the policy of its {CONFIG_FILE} has {want}; train again"
+            )
         if not torch.isfinite(tensors[name]).all():
             raise CheckpointError(f"{file}: {name} holds NaN or infinity; train again")
     policy.load_state_dict(dict(tensors))

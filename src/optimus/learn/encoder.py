@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import torch
 import torch.nn.functional as F
@@ -15,16 +17,24 @@ _PART = 48
 
 @dataclass(frozen=True)
 class EncoderConfig:
-    """Four convolutions, each followed by a ReLU; 76 pixels become a map of 10 x 10.
+    """Convolutions, each followed by a ReLU; by default 76 pixels become a map of 19 x 19, then 10 x 10.
 
-    There is no norm between them: on a CPU a group norm doubled the time of a step, and a probe of localisation was as
-    accurate after as many steps without it.
+    The defaults are what a probe of localisation (a square among clutter, accurate to 0.3 pixels after 200 steps) and a
+    clock chose. A group norm after each convolution doubled the time of a step on a CPU and changed nothing in the
+    probe; two layers of stride 2 in place of the first one took half as long again for the same accuracy.
     """
 
-    channels: tuple[int, int, int, int] = (16, 32, 64, 64)
+    channels: tuple[int, ...] = (32, 64, 64)
+    kernels: tuple[int, ...] = (8, 3, 3)
+    strides: tuple[int, ...] = (4, 2, 1)
     keypoints: int = 32
     features: int = 64
     """Size of the result for each camera."""
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> EncoderConfig:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        return cls(**{name: tuple(part) if isinstance(part, list) else part for name, part in value.items()})
 
 
 class SpatialSoftmax(nn.Module):
@@ -44,10 +54,10 @@ class Encoder(nn.Module):
 
     def __init__(self, config: EncoderConfig) -> None:
         super().__init__()
-        kernels, strides = (5, 3, 3, 3), (2, 2, 2, 1)
-        layers = []
-        for (c_in, c_out), kernel, stride in zip(pairwise((3, *config.channels)), kernels, strides, strict=True):
-            layers += [nn.Conv2d(c_in, c_out, kernel, stride, kernel // 2), nn.ReLU(inplace=True)]
+        layers: list[nn.Module] = []
+        channels = pairwise((3, *config.channels))
+        for (c_in, c_out), kernel, stride in zip(channels, config.kernels, config.strides, strict=True):
+            layers += [nn.Conv2d(c_in, c_out, kernel, stride, (kernel - 1) // 2), nn.ReLU(inplace=True)]
         self.trunk = nn.Sequential(*layers, nn.Conv2d(config.channels[-1], config.keypoints, 1))
         self.keypoints = SpatialSoftmax()
         self.project = nn.Linear(2 * config.keypoints, config.features)

@@ -64,8 +64,16 @@ class GradientWorkers:
     do not scale, and the GIL is free while they run.
     """
 
-    def __init__(self, policy: Policy, windows: Windows, config: LossConfig, runtime: Runtime, seed: int) -> None:
-        self.policy, self.windows, self.config, self.runtime, self.seed = policy, windows, config, runtime, seed
+    def __init__(
+        self, policy: Policy, windows: Windows, config: LossConfig, runtime: Runtime, seed: int
+    ) -> None:
+        self.policy, self.windows, self.config, self.runtime, self.seed = (
+            policy,
+            windows,
+            config,
+            runtime,
+            seed,
+        )
         self.parameters = [p for p in policy.parameters() if p.requires_grad]
         self._threads = ThreadPoolExecutor(runtime.shards, "gradient", initializer=_one_thread_each)
 
@@ -77,14 +85,19 @@ class GradientWorkers:
         """Loss and gradient at the current weights, on the batch of this step."""
         shards = self.runtime.shards
         parts = list(self._threads.map(lambda shard: self._shard(step, shard), range(shards)))
-        total = [torch.stack(pieces).mean(0) if shards > 1 else pieces[0] for pieces in zip(*(g for _, g in parts), strict=True)]
+        total = [
+            torch.stack(pieces).mean(0) if shards > 1 else pieces[0]
+            for pieces in zip(*(g for _, g in parts), strict=True)
+        ]
         likelihood, location = (float(np.mean(v)) for v in zip(*(values for values, _ in parts), strict=True))
         return StepLoss(likelihood, location), total
 
     def _shard(self, step: int, shard: int) -> tuple[tuple[float, float], tuple[Tensor, ...]]:
         runs = len(range(shard, self.config.runs, self.runtime.shards))
         batch = self.windows.sample(np.random.default_rng([self.seed, step, shard]), runs)
-        noise = torch.Generator().manual_seed(int(np.random.SeedSequence([self.seed, step, shard]).generate_state(1)[0]))
+        noise = torch.Generator().manual_seed(
+            int(np.random.SeedSequence([self.seed, step, shard]).generate_state(1)[0])
+        )
         likelihood, location = batch_loss(self.policy, batch, self.config, noise, self.runtime.half)
         loss = likelihood + self.config.location_weight * location
         gradient = torch.autograd.grad(loss, self.parameters, materialize_grads=True)

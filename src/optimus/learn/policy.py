@@ -36,10 +36,8 @@ class PolicyConfig:
     def from_json(cls, value: Mapping[str, Any]) -> PolicyConfig:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
         rest = {k: v for k, v in value.items() if k not in ("encoder", "trunk", "head")}
-        encoder = EncoderConfig(**{**value["encoder"], "channels": tuple(value["encoder"]["channels"])})
-        return cls(
-            **rest, encoder=encoder, trunk=TransformerConfig(**value["trunk"]), head=MixtureConfig(**value["head"])
-        )
+        encoder, trunk = EncoderConfig.from_json(value["encoder"]), TransformerConfig(**value["trunk"])
+        return cls(**rest, encoder=encoder, trunk=trunk, head=MixtureConfig(**value["head"]))
 
 
 @dataclass(frozen=True)
@@ -90,20 +88,26 @@ class Policy(nn.Module):
         objects = torch.from_numpy(windows.objects).flatten(1).double()
         for name, values in (("low", low), ("objects", objects)):
             getattr(self, f"{name}_mean").copy_(values.mean(0))
-            getattr(self, f"{name}_deviation").copy_(values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION))
+            getattr(self, f"{name}_deviation").copy_(
+                values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION)
+            )
         # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9 because the means
         # pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)
         for part in (slice(0, 3), slice(3, 6)):
             self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
 
-    def frames(self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor], half: bool = False) -> Tensor:
+    def frames(
+        self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor], half: bool = False
+    ) -> Tensor:
         """Features of frames seen one by one.
 
         Images `(..., crop, crop, 3)` uint8 by camera and proprioception `(..., n)` by name to `(..., m)`.
         """
         shape = next(iter(proprioception.values())).shape[:-1]
-        seen = [self.encoders[c](images[c].flatten(0, -4), half).reshape(*shape, -1) for c in self.inputs.cameras]
+        seen = [
+            self.encoders[c](images[c].flatten(0, -4), half).reshape(*shape, -1) for c in self.inputs.cameras
+        ]
         low = (self._low(proprioception) - self.low_mean) / self.low_deviation
         return torch.cat([*seen, low.clamp(-5, 5)], -1)
 

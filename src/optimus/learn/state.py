@@ -50,7 +50,10 @@ class TrainState:
         self._parameters = [p for p in policy.parameters() if p.requires_grad]
         matrices = [p for p in self._parameters if p.ndim >= 2]
         vectors = [p for p in self._parameters if p.ndim < 2]
-        groups = [{"params": matrices, "weight_decay": config.weight_decay}, {"params": vectors, "weight_decay": 0.0}]
+        groups = [
+            {"params": matrices, "weight_decay": config.weight_decay},
+            {"params": vectors, "weight_decay": 0.0},
+        ]
         self.optimiser = torch.optim.AdamW(groups, fused=True)
 
     def update(self, gradient: list[Tensor], rate: float) -> float:
@@ -112,7 +115,9 @@ class TrainState:
             for moment in _MOMENTS:
                 value = tensors.get(f"{name}.{moment}")
                 if value is None or value.shape != parameter.shape:
-                    raise CheckpointError(f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again")
+                    raise CheckpointError(
+                        f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again"
+                    )
                 # The layout of the parameter (channels last): elementwise updates have to meet the same elements.
                 values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
             if step > 0:

@@ -103,6 +103,9 @@ class _Trainer:
     def __init__(self, dataset: Path, run: Path, config: TrainConfig, policy_config: PolicyConfig) -> None:
         self.run, self.config = run, config
         self.session_start = self.last_save = self.last_report = time.perf_counter()
+        # Often enough that a short budget of minutes is still kept to: the plan is revised where it is saved.
+        budget = math.inf if config.steps is not None else 60 * config.minutes
+        self.save_interval = min(config.checkpoint_seconds, budget / 20)
         store, curation = EpisodeStore.open(dataset), load_curation(dataset)
         context, crop = policy_config.context, policy_config.crop
         cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
@@ -141,7 +144,7 @@ class _Trainer:
             if _passes(before, after, _REPORTS) or _passes(before, after, self.config.evaluations):
                 report = self._report(sum(losses) / len(losses), loss.location, before, after)
                 losses.clear()
-            if time.perf_counter() - self.last_save > self.config.checkpoint_seconds:
+            if time.perf_counter() - self.last_save > self.save_interval:
                 self._replan()
                 self._save()
             progress(Progress(state.step, state.plan.steps, report))
@@ -232,4 +235,8 @@ def _require_same(run: Path, there: dict[str, Any], wanted: dict[str, Any]) -> N
 def _flat(value: Any, prefix: str = "") -> dict[str, Any]:
     if not isinstance(value, dict) or not value:
         return {prefix: value}
-    return {k: v for name, part in value.items() for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()}
+    return {
+        k: v
+        for name, part in value.items()
+        for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()
+    }

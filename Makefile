@@ -1,0 +1,33 @@
+# `make demo` and `make test` are all the set-up there is: they make .venv on first use.
+PYTHON ?= python3
+BIN := .venv/bin
+READY := .venv/.ready
+
+.PHONY: setup demo test check bench stubs
+
+setup: $(READY)
+
+$(READY): pyproject.toml scripts/setup
+	$(PYTHON) scripts/setup .venv
+	touch $@
+
+demo: $(READY)
+	$(BIN)/optimus run pick-place --minutes 18 --out runs/demo
+
+test: $(READY)
+	$(BIN)/pytest
+
+check: $(READY)
+	$(BIN)/ruff check
+	$(BIN)/lint-imports
+	$(BIN)/pyright
+
+bench: $(READY)
+	$(BIN)/optimus bench expert stack --episodes 20
+	$(BIN)/optimus bench collect stack --episodes 20
+	$(BIN)/optimus bench step stack
+	$(BIN)/optimus bench action stack
+	$(BIN)/optimus bench render stack
+
+stubs: $(READY)  # MuJoCo's wheel has no type stubs; run this after moving to another version of it
+	$(BIN)/pip install --quiet pybind11-stubgen && $(BIN)/python scripts/make_stubs

@@ -1,0 +1,217 @@
+"""The evaluation protocol: a list of initial states, one episode each, k of n with an honest interval."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Sequence
+from concurrent.futures import as_completed
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import torch
+
+from optimus.data.atomic import write_whole
+from optimus.data.curate import load_curation
+from optimus.data.episode import Episode
+from optimus.data.store import EpisodeStore
+from optimus.env import ManipulationEnv
+from optimus.errors import CheckpointError, DatasetError
+from optimus.learn import checkpoint
+from optimus.learn.agent import PolicyAgent
+from optimus.rollout import rollout
+from optimus.show import Film, png
+from optimus.tasks import task as task_named
+from optimus.workers import available_cores, executor
+
+RANDOM_SEEDS_FROM = 10_000_000
+"""Seeds of random initial states start here, far from those of any dataset."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One evaluated episode."""
+
+    seed: int
+    success: bool
+    paper_success: bool
+    steps: int
+    cause: str
+    variant: str
+
+
+@dataclass(frozen=True)
+class EvalReport:
+    """What an evaluation found, in the order of its initial states."""
+
+    task: str
+    states: str
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def successes(self) -> int:
+        return sum(o.success for o in self.outcomes)
+
+    @property
+    def episodes(self) -> int:
+        return len(self.outcomes)
+
+    def as_dict(self) -> dict[str, Any]:
+        """JSON-able: counts, the Wilson 95 % interval, failures by cause, every outcome."""
+        return {
+            "task": self.task,
+            "states": self.states,
+            "successes": self.successes,
+            "episodes": self.episodes,
+            "interval": wilson(self.successes, self.episodes),
+            "paper_rule_successes": sum(o.paper_success for o in self.outcomes),
+            "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),
+            "outcomes": [asdict(o) for o in self.outcomes],
+        }
+
+
+def wilson(successes: int, episodes: int, z: float = 1.96) -> tuple[float, float]:
+    """The Wilson score interval of a proportion, 95 % for the default `z` (Wilson 1927)."""
+    if episodes == 0:
+        return (0.0, 1.0)
+    p, n = successes / episodes, episodes
+    centre = (p + z * z / (2 * n)) / (1 + z * z / n)
+    half = z / (1 + z * z / n) * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
+    return (max(0.0, centre - half), min(1.0, centre + half))
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """An initial state: a seed, and the physics state to start from where one was recorded."""
+
+    seed: int
+    state: np.ndarray | None = None
+
+
+def validation_starts(dataset: Path, episodes: int) -> list[Start]:
+    """The initial states of the validation demonstrations, then (if more are asked for) again from the first."""
+    store, seeds = EpisodeStore.open(dataset), load_curation(dataset).validation
+    if not seeds:
+        raise DatasetError(f"{dataset} has no validation demonstrations; collect more, or evaluate with --states random")
+    return [Start(s, store.header(s).read("initial_state")) for s in (seeds[i % len(seeds)] for i in range(episodes))]
+
+
+def random_starts(episodes: int, seed: int = 0) -> list[Start]:
+    """Fresh problems that no dataset holds."""
+    return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i) for i in range(episodes)]
+
+
+Component = Literal["sampled", "likeliest"]
+
+
+@lru_cache(maxsize=1)
+def _actors(run: Path, component: Component) -> tuple[ManipulationEnv, PolicyAgent]:
+    torch.set_num_threads(1)
+    task = checkpoint.read_config(run)["task"]
+    return ManipulationEnv(task_named(task)), PolicyAgent(run, component)
+
+
+class _Witness:
+    """Remembers what the final state alone does not tell."""
+
+    def __init__(self) -> None:
+        self.held = False
+        self.moved = 0.0
+        self._last: np.ndarray | None = None
+
+    def __call__(self, env: ManipulationEnv) -> None:
+        state = env.state()
+        self.held = self.held or state.held is not None
+        recent = 0.0 if self._last is None else float(np.linalg.norm(state.tcp.pos - self._last))
+        self.moved = 0.9 * self.moved + 0.1 * recent
+        self._last = state.tcp.pos
+
+    def cause(self, env: ManipulationEnv, episode: Episode) -> str:
+        """Why the episode failed, in a few words; empty for a success."""
+        if episode.success:
+            return ""
+        state = env.state()
+        if state.held is not None:
+            what = "still holding at the end"
+        else:
+            what = "dropped or put down off the goal" if self.held else "never grasped"
+        return what + (", standing still" if self.moved < 0.001 else "")
+
+
+def _evaluate_one(run: Path, start: Start, seed: int, component: Component) -> Outcome:
+    episode, cause = play(run, start, seed, component)
+    return Outcome(
+        seed=start.seed,
+        success=episode.success,
+        paper_success=bool(episode.info["paper_success"]),
+        steps=len(episode),
+        cause=cause,
+        variant=str(episode.info["variant"]),
+    )
+
+
+def play(
+    run: Path,
+    start: Start,
+    seed: int,
+    component: Component = "sampled",
+    watch: Callable[[ManipulationEnv], None] = lambda env: None,
+) -> tuple[Episode, str]:
+    """One episode of the policy in `run`, and why it failed. A function of the arguments alone."""
+    env, agent = _actors(run, component)
+    options = None if start.state is None else {"state": start.state}
+    observation, _ = env.reset(seed=start.seed, options=options)
+    # the same answers whichever process plays this episode, and whatever it played before
+    agent.reset(seed * 1_000_003 + start.seed)
+    witness = _Witness()
+
+    def both(env: ManipulationEnv) -> None:
+        witness(env)
+        watch(env)
+
+    episode = rollout(env, observation, agent, run.name, watch=both)
+    return episode, witness.cause(env, episode)
+
+
+def evaluate(
+    run: Path,
+    starts: Sequence[Start],
+    states: str,
+    seed: int = 0,
+    workers: int = 0,
+    component: Component = "sampled",
+    progress: Callable[[int, int], None] = lambda done, successes: None,
+) -> EvalReport:
+    """One episode from each start. The outcomes are the same for any number of workers."""
+    task = checkpoint.read_config(run)["task"]
+    if not starts:
+        raise CheckpointError("nothing to evaluate: no initial states")
+    outcomes: dict[int, Outcome] = {}
+    with executor(min(workers or available_cores(), len(starts))) as pool:
+        futures = {pool.submit(_evaluate_one, run, s, seed + i, component): i for i, s in enumerate(starts)}
+        for future in as_completed(futures):
+            outcomes[futures[future]] = future.result()
+            progress(len(outcomes), sum(o.success for o in outcomes.values()))
+    return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))))
+
+
+def film_outcomes(
+    run: Path, starts: Sequence[Start], report: dict[str, Any], seed: int, component: Component, folder: Path, each: int = 3
+) -> list[tuple[str, Path, Path]]:
+    """Films of the first few successes and failures: `(caption, MP4, PNG strip)`. The episodes are played again: they are
+    functions of their seeds."""
+    films = []
+    for success in (True, False):
+        chosen = [i for i, o in enumerate(report["outcomes"]) if o["success"] is success][:each]
+        for i in chosen:
+            outcome, film = report["outcomes"][i], Film()
+            play(run, starts[i], seed + i, component, film)
+            name = f"{'success' if success else 'failure'}-{outcome['seed']}"
+            film.write(folder / f"{name}.mp4")
+            write_whole(folder / f"{name}.png", png(film.strip()))
+            caption = f"seed {outcome['seed']} {outcome['variant']}: " + ("success" if success else outcome["cause"])
+            films.append((caption, folder / f"{name}.mp4", folder / f"{name}.png"))
+    return films

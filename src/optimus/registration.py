@@ -1,0 +1,28 @@
+"""Makes every task a Gymnasium environment: `gymnasium.make("optimus/Stack-v0")`. Loaded by Gymnasium as a plugin."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium
+
+
+def gym_id(task: str) -> str:
+    """`pick-place` -> `optimus/PickPlace-v0`."""
+    return f"optimus/{''.join(word.capitalize() for word in task.split('-'))}-v0"
+
+
+def make_env(task: str, **options: Any) -> gymnasium.Env[Any, Any]:
+    """The environment of a task by name; `options` as for `ManipulationEnv`."""
+    from optimus.env import ManipulationEnv
+    from optimus.tasks import task as task_named
+
+    return ManipulationEnv(task_named(task), **options)
+
+
+def register() -> None:
+    """Register every task with Gymnasium."""
+    from optimus.tasks import TASKS
+
+    for name in TASKS:
+        gymnasium.register(id=gym_id(name), entry_point="optimus.registration:make_env", kwargs={"task": name})

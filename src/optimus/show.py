@@ -1,0 +1,173 @@
+"""Pictures for people: a scene as the policy's cameras see it, a plan as a strip, a film of an episode."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+
+import imageio.v3 as iio
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+from optimus.data.atomic import write_whole
+from optimus.data.episode import IMAGE_SUFFIX, Observation
+from optimus.demonstrate import ExpertConfig
+from optimus.env import ManipulationEnv
+from optimus.errors import ModelError
+from optimus.logic import Operator
+from optimus.motion.plan import Infeasible, Plan, Step
+from optimus.objects.shapes import Rgba
+from optimus.planner import solve
+from optimus.render import Rig
+from optimus.scene import Camera
+from optimus.se3 import Array
+from optimus.skills import Workspace
+from optimus.state import State
+from optimus.task import Task
+
+Picture = NDArray[np.uint8]
+
+EMPTY_HAND: Rgba = (0.15, 0.45, 0.95, 0.9)
+LOADED_HAND: Rgba = (0.95, 0.45, 0.05, 0.9)
+SENTENCES = {
+    "pick": "pick {0} up from {1}",
+    "place": "place {0} on {1}",
+    "stack": "stack {0} on {1}",
+}
+
+
+def sentence(operator: Operator) -> str:
+    """What a step of a plan does, in words."""
+    return SENTENCES.get(operator.skill, f"{operator.skill} " + " ".join(operator.args)).format(*operator.args)
+
+
+def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+    return ImageFont.load_default(size)
+
+
+def captioned(picture: Picture, caption: str, height: int = 34) -> Picture:
+    """The picture with a line of text above it."""
+    out = Image.new("RGB", (picture.shape[1], picture.shape[0] + height), (255, 255, 255))
+    out.paste(Image.fromarray(picture), (0, height))
+    ImageDraw.Draw(out).text((8, height // 2), caption, fill=(25, 25, 30), font=_font(16), anchor="lm")
+    return np.asarray(out)
+
+
+def grid(pictures: Sequence[Picture], columns: int, gap: int = 6) -> Picture:
+    """Pictures of one size in rows."""
+    h, w = pictures[0].shape[:2]
+    rows = -(-len(pictures) // columns)
+    out = np.full((rows * (h + gap) - gap, columns * (w + gap) - gap, 3), 255, np.uint8)
+    for i, picture in enumerate(pictures):
+        y, x = (i // columns) * (h + gap), (i % columns) * (w + gap)
+        out[y : y + h, x : x + w] = picture
+    return out
+
+
+def png(picture: Picture) -> bytes:
+    """The picture as a PNG file's bytes."""
+    buffer = io.BytesIO()
+    Image.fromarray(picture).save(buffer, "PNG", optimize=True)
+    return buffer.getvalue()
+
+
+def observation_strip(observation: Observation, size: int) -> Picture:
+    """The cameras side by side, as the policy sees them, enlarged without smoothing."""
+    views = [observation[k] for k in observation if k.endswith(IMAGE_SUFFIX)]
+    enlarged = [np.asarray(Image.fromarray(v).resize((size, size), Image.Resampling.NEAREST)) for v in views]
+    return grid(enlarged, len(enlarged))
+
+
+def show_scene(task: Task, seed: int, out: Path) -> str:
+    """Write a picture of the start of `seed`; returns what it shows, in words."""
+    env = ManipulationEnv(task)
+    observation, info = env.reset(seed=seed)
+    names = [k.removesuffix(IMAGE_SUFFIX) for k in observation if k.endswith(IMAGE_SUFFIX)]
+    views = [observation[n + IMAGE_SUFFIX] for n in names]
+    pictures = [captioned(env.render(), f"{task.name}, seed {seed} {info['variant']}".strip())]
+    for name, view in zip(names, views, strict=True):
+        big = np.asarray(Image.fromarray(view).resize((480, 480), Image.Resampling.NEAREST))
+        pictures.append(captioned(big, f"{name} (84 x 84, as the policy sees it)"))
+    write_whole(out, png(grid(pictures, len(pictures))))
+    return f"{task.summary}; goal: {', '.join(sorted(map(str, env.problem.goal)))}"
+
+
+def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = None) -> Plan:
+    """Write a plan of `seed` as a strip: the start, then each skill with the path of its motion; returns the plan."""
+    config = config or ExpertConfig()
+    env = ManipulationEnv(task, images=False)
+    env.reset(seed=seed)
+    goal = env.problem.goal
+    plan = solve(Workspace(env.world, config.style), env.state(), goal, np.random.default_rng([seed, 1]), config.budget)
+    if isinstance(plan, Infeasible):
+        raise ModelError(f"no plan for {task.name} with seed {seed}: {plan}")
+    rig = Rig(env.world, 460, 560)
+    camera = _people_camera(task)
+    wanted = ", ".join(sorted(str(a) for a in goal))
+    pictures = [captioned(_view(rig, env, plan.start, camera), f"start   goal: {wanted}")]
+    for number, step in enumerate(plan.steps, 1):
+        pictures += _step_pictures(rig, env, step, number, camera)
+    write_whole(out, png(grid(pictures, 3)))
+    return plan
+
+
+def _people_camera(task: Task) -> Camera:
+    x, y, z = task.close_up
+    return Camera("people", (x + 0.62, y - 0.42, z + 0.42), (x, y, z + 0.04))
+
+
+def _view(
+    rig: Rig, env: ManipulationEnv, state: State, camera: Camera, paths: tuple[tuple[Array, Rgba], ...] = ()
+) -> Picture:
+    data = mujoco.MjData(env.world.model)
+    env.world.write(data, state)
+    return rig.view(data, camera, paths).copy()
+
+
+def _step_pictures(rig: Rig, env: ManipulationEnv, step: Step, number: int, camera: Camera) -> list[Picture]:
+    """Two pictures a skill: at its grasp or release with the way there, and at its end with the way on."""
+    working = next(i for i, s in enumerate(step.segments) if s.gripper_action)
+    before, action, after = step.segments[:working], step.segments[working], step.segments[working + 1 :]
+    thing, end = step.operator.args[0], step.after
+    there = end.poses[thing] if end.held is None else action.end @ end.held.tcp_from_object
+    at_work = State(action.q[-1], 0.08 if end.held is None else 0.05, {**end.poses, thing: there}, action.end)
+    colour = EMPTY_HAND if end.held is not None else LOADED_HAND
+    further = LOADED_HAND if end.held is not None else EMPTY_HAND
+    text = f"{number}. {sentence(step.operator)}"
+    way = tuple((np.array([p.pos for p in s.poses]), colour) for s in before)
+    onward = tuple((np.array([p.pos for p in s.poses]), further) for s in after)
+    shown = State(end.q, at_work.opening, end.poses, end.tcp)
+    return [
+        captioned(_view(rig, env, at_work, camera, way), f"{text}: {action.name}"),
+        captioned(_view(rig, env, shown, camera, onward), f"{text}: {after[-1].name if after else 'done'}"),
+    ]
+
+
+class Film:
+    """Watches a rollout: the people's view beside what the policy sees. Pass it as `watch`."""
+
+    def __init__(self) -> None:
+        self.frames: list[Picture] = []
+
+    def __call__(self, env: ManipulationEnv) -> None:
+        side = observation_strip(env.observe(), 240)
+        big = np.asarray(Image.fromarray(env.render()).resize((240, 240), Image.Resampling.LANCZOS))
+        self.frames.append(np.concatenate([big, side], axis=1))
+
+    def write(self, path: Path, fps: int = 20) -> None:
+        """An MP4 (H.264) of all frames."""
+        path.parent.mkdir(parents=True, exist_ok=True)
+        aside = path.with_name(f".tmp-{path.name}")
+        frames = np.stack([f[: f.shape[0] // 2 * 2, : f.shape[1] // 2 * 2] for f in self.frames])
+        iio.imwrite(aside, frames, fps=fps, codec="libx264", macro_block_size=2, output_params=["-crf", "30"])
+        aside.replace(path)
+
+    def strip(self, count: int = 8) -> Picture:
+        """Some frames side by side: the people's view above the policy's."""
+        chosen = [self.frames[round(i)] for i in np.linspace(0, len(self.frames) - 1, count)]
+        size = chosen[0].shape[0]
+        tiles = [np.concatenate(np.split(f[:, : size * (f.shape[1] // size)], f.shape[1] // size, axis=1)) for f in chosen]
+        return grid(tiles, len(tiles), gap=3)
