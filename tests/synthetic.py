@@ -29,7 +29,8 @@ def square_image(
 def make_episode(
     seed: int, steps: int = 20, task: str = "square", cameras: tuple[str, ...] = CAMERAS, **changes: Any
 ) -> Episode:
-    """The hand goes to the square: the action is proportional to the way that is left, and only the image shows where to."""
+    """The hand goes to the square: the action is proportional to the way that is left, and only the image
+    shows where to."""
     rng = np.random.default_rng(seed)
     target = rng.uniform(-REACH, REACH, size=2)
     hand = np.zeros((steps, 3), np.float32)
@@ -41,8 +42,8 @@ def make_episode(
             hand[t + 1, :2] = hand[t, :2] + 0.2 * actions[t, :2] + rng.normal(0, 0.005, 2)
     observations: dict[str, NDArray[Any]] = {
         "robot0_eef_pos": hand,
-        "robot0_eef_quat": np.tile(np.float32([1, 0, 0, 0]), (steps, 1)),
-        "robot0_gripper_qpos": np.tile(np.float32([0.04, -0.04]), (steps, 1)),
+        "robot0_eef_quat": np.tile(np.array([1, 0, 0, 0], np.float32), (steps, 1)),
+        "robot0_gripper_qpos": np.tile(np.array([0.04, -0.04], np.float32), (steps, 1)),
         "robot0_target_error": np.zeros((steps, 6), np.float32),
     }
     for camera in cameras:

@@ -18,6 +18,8 @@ PHYSICS_DT = 0.005
 """[s]; stable under implicitfast with torque control (docs/performance.md)."""
 
 HAND_PREFIX = "robot/"
+HIDDEN_GROUP = 4
+"""Renderers leave this group of sites out: a marker at the tcp would tell the policy what no real camera shows."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +136,7 @@ def _robot_spec(robot: Robot) -> mujoco.MjSpec:
             geom.solref = [0.01, 1.0]
             geom.solimp = [0.95, 0.99, 0.001, 0.5, 2.0]
     hand = spec.body(robot.hand)
-    hand.add_site(name="tcp", pos=robot.tcp)
+    hand.add_site(name="tcp", pos=robot.tcp, group=HIDDEN_GROUP)
     up = (1.0, 0.0, 0.0)
     hand.add_camera(
         name="eye_in_hand",
@@ -158,6 +160,14 @@ def _world_spec(scene: Scene) -> mujoco.MjSpec:
     spec.visual.quality.offsamples = 0
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 10.0
+    sky = spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        width=32,
+        height=192,
+    )
+    sky.rgb1, sky.rgb2 = [0.86, 0.90, 0.94], [0.70, 0.76, 0.82]
     root = spec.worldbody
     root.add_light(pos=[0.3, -0.6, 2.0], dir=[0.1, 0.3, -1.0], diffuse=[0.4, 0.4, 0.4], castshadow=False)
     root.add_geom(

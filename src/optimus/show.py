@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import imageio.v3 as iio
@@ -107,9 +108,11 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     rig = Rig(env.world, 460, 560)
     camera = _people_camera(task)
     wanted = ", ".join(sorted(str(a) for a in goal))
-    pictures = [captioned(_view(rig, env, plan.start, camera), f"start   goal: {wanted}")]
+    pictures, state = [], plan.start
     for number, step in enumerate(plan.steps, 1):
-        pictures += _step_pictures(rig, env, step, number, camera)
+        pictures += _step_pictures(rig, env, state, step, number, camera)
+        state = replace(step.after, opening=0.05) if step.after.held is not None else step.after
+    pictures.append(captioned(_view(rig, env, state, camera), f"goal: {wanted}"))
     write_whole(out, png(grid(pictures, 3)))
     return plan
 
@@ -127,22 +130,26 @@ def _view(
     return rig.view(data, camera, paths).copy()
 
 
-def _step_pictures(rig: Rig, env: ManipulationEnv, step: Step, number: int, camera: Camera) -> list[Picture]:
-    """Two pictures a skill: at its grasp or release with the way there, and at its end with the way on."""
+def _step_pictures(
+    rig: Rig, env: ManipulationEnv, before: State, step: Step, number: int, camera: Camera
+) -> list[Picture]:
+    """Two pictures a skill: before it, with the way that the tcp will take, and while the gripper acts, with the way on."""
     working = next(i for i, s in enumerate(step.segments) if s.gripper_action)
-    before, action, after = step.segments[:working], step.segments[working], step.segments[working + 1 :]
-    thing, end = step.operator.args[0], step.after
-    there = end.poses[thing] if end.held is None else action.end @ end.held.tcp_from_object
-    at_work = State(action.q[-1], 0.08 if end.held is None else 0.05, {**end.poses, thing: there}, action.end)
-    colour = EMPTY_HAND if end.held is not None else LOADED_HAND
-    further = LOADED_HAND if end.held is not None else EMPTY_HAND
+    there, action, onward = step.segments[:working], step.segments[working], step.segments[working + 1 :]
+    thing, after = step.operator.args[0], step.after
+    taking = after.held is not None
+    pose = after.poses[thing] if after.held is None else action.end @ after.held.tcp_from_object
+    opening = 0.05 if taking else before.opening
+    at_work = State(action.q[-1], opening, {**after.poses, thing: pose}, action.end)
+    colours = (EMPTY_HAND, LOADED_HAND) if taking else (LOADED_HAND, EMPTY_HAND)
+    ways = [
+        tuple((np.array([p.pos for p in s.poses]), colour) for s in segments)
+        for segments, colour in zip((there, onward), colours, strict=True)
+    ]
     text = f"{number}. {sentence(step.operator)}"
-    way = tuple((np.array([p.pos for p in s.poses]), colour) for s in before)
-    onward = tuple((np.array([p.pos for p in s.poses]), further) for s in after)
-    shown = State(end.q, at_work.opening, end.poses, end.tcp)
     return [
-        captioned(_view(rig, env, at_work, camera, way), f"{text}: {action.name}"),
-        captioned(_view(rig, env, shown, camera, onward), f"{text}: {after[-1].name if after else 'done'}"),
+        captioned(_view(rig, env, before, camera, ways[0]), f"{text}: the way there"),
+        captioned(_view(rig, env, at_work, camera, ways[1]), f"{text}: {action.name}"),
     ]
 
 

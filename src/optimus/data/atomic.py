@@ -1,8 +1,8 @@
 """Files that are there whole or not at all: written aside in the same folder, then renamed over the target.
 
-A killed process leaves at most a `<name>.tmp-<pid>` behind, which `remove_leftovers` clears once that process is gone.
-Nothing is flushed to the platter (`fsync` would cost more than the simulation of an episode): after a power cut a file may
-be short, which readers find by its size.
+A killed process leaves at most a `<name>.tmp-<pid>` behind, which `remove_leftovers` clears once that process
+is gone. Nothing is flushed to the platter (`fsync` would cost more than the simulation of an episode): after
+a power cut a file may be short, which readers find by its size.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Curation: which episodes are learned from, and why the others are not. Nothing on disk is changed but `curation.json`."""
+"""Curation: which episodes are learned from, and why not the others; only `curation.json` is written."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from optimus.data.atomic import write_json
-from optimus.data.store import EpisodeHeader, EpisodeStore
+from optimus.data.episode_file import EpisodeHeader
+from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
 CURATION_FILE = "curation.json"
@@ -38,7 +39,7 @@ class CurationConfig:
 
 @dataclass(frozen=True)
 class Curation:
-    """Ids (seeds) of the episodes to train on and to validate on; `dropped` says why for each of the others."""
+    """Ids (seeds) of the episodes to train on and to validate on, and why each of the others is dropped."""
 
     train: tuple[int, ...]
     validation: tuple[int, ...]
@@ -96,7 +97,7 @@ def _as_json(curation: Curation, task: str) -> dict[str, Any]:
 
 
 def _length_limits(headers: list[EpisodeHeader], sd: float) -> dict[tuple[str, ...], float]:
-    """Longest length [steps] for each skeleton; over the whole set it would cut the longer branch of a task."""
+    """Longest length [steps] for each skeleton; a limit for all would cut the longer branch of a task."""
     lengths: dict[tuple[str, ...], list[int]] = {}
     for header in headers:
         lengths.setdefault(header.skeleton, []).append(header.steps)

@@ -1,8 +1,8 @@
 """`EpisodeStore`: a dataset on disk, one write-once file an episode.
 
-    DIR/dataset.json                      format, task, cameras, the configuration it was collected with, versions
-    DIR/episodes/<seed>.safetensors       arrays of one successful episode; everything else as JSON in its header
-    DIR/failures/<seed>.json              an attempt that failed, with its reason; no images
+    DIR/dataset.json                   format, task, cameras, collection settings, versions
+    DIR/episodes/<seed>.safetensors    one successful episode: arrays, and the rest as JSON in the header
+    DIR/failures/<seed>.json           an attempt that failed, with its reason; no images
 
 Any number of processes may write different seeds at once: a file is written aside and renamed.
 """
@@ -12,78 +12,28 @@ from __future__ import annotations
 import json
 import platform
 import re
-import struct
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from safetensors.numpy import save
 
 from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
 from optimus.data.episode import Episode
+from optimus.data.episode_file import (
+    VERSION,
+    EpisodeHeader,
+    episode_bytes,
+    read_episode,
+    read_header,
+)
 from optimus.errors import DatasetError
 
 DATASET_FORMAT = "optimus-dataset"
-EPISODE_FORMAT = "optimus-episode"
-VERSION = 1
-OBSERVATION_PREFIX = "obs."
 
 _EPISODE_NAME = re.compile(r"(\d{8,})\.safetensors")
 _FAILURE_NAME = re.compile(r"(\d{8,})\.json")
-_DTYPES = {"U8": np.uint8, "F32": np.float32, "F64": np.float64, "I64": np.int64, "BOOL": np.bool_}
-_MAX_HEADER = 100_000_000  # [bytes], the format's own limit
-
-
-@dataclass(frozen=True)
-class ArraySlot:
-    """Where one array lies in an episode file: `offset` [bytes] counts from the start of the file."""
-
-    dtype: np.dtype[Any]
-    shape: tuple[int, ...]
-    offset: int
-
-
-@dataclass(frozen=True, eq=False)
-class EpisodeHeader:
-    """What an episode file says about itself; read without touching its arrays."""
-
-    path: Path
-    seed: int
-    task: str
-    agent: str
-    object_names: tuple[str, ...]
-    observation_names: tuple[str, ...]
-    success: bool
-    failure: str
-    skeleton: tuple[str, ...]
-    info: dict[str, Any]
-    arrays: dict[str, ArraySlot]
-
-    @property
-    def steps(self) -> int:
-        """The number of actions."""
-        return self.arrays["actions"].shape[0]
-
-    def read(self, name: str) -> NDArray[Any]:
-        """One array of the file, e.g. `actions` or `obs.robot0_eef_pos`."""
-        if name not in self.arrays:
-            raise DatasetError(f"{self.path} holds no {name}; it holds {', '.join(sorted(self.arrays))}")
-        slot = self.arrays[name]
-        count = int(np.prod(slot.shape))
-        try:
-            flat = np.fromfile(self.path, dtype=slot.dtype, count=count, offset=slot.offset)
-        except OSError as error:
-            raise DatasetError(f"cannot read {self.path}: {error.strerror or error}") from error
-        if flat.size != count:
-            raise DatasetError(f"{self.path} is cut short at {name}; {_REMEDY}")
-        return flat.reshape(slot.shape)
-
-
-_REMEDY = "delete it and collect again to replace it"
 
 
 class EpisodeStore:
@@ -100,7 +50,7 @@ class EpisodeStore:
     def create(
         cls, path: Path | str, task: str, cameras: Iterable[str], config: Mapping[str, Any]
     ) -> EpisodeStore:
-        """A new dataset, or the one that is already there if it was made for the same task with the same configuration."""
+        """A new dataset, or the one that is there if it was made for the same task with the same settings."""
         path = Path(path)
         wanted = {"task": task, "cameras": list(cameras), "config": json.loads(json.dumps(dict(config)))}
         if (path / "dataset.json").exists():
@@ -156,10 +106,7 @@ class EpisodeStore:
                 f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}"
             )
         path = self.episode_path(episode.seed)
-        arrays = _arrays(episode)
-        for name, array in arrays.items():
-            require_finite(array, path, name)
-        write_whole(path, save(arrays, metadata={"format": EPISODE_FORMAT, "episode": _metadata(episode)}))
+        write_whole(path, episode_bytes(episode, path))
 
     def write_failure(
         self, seed: int, reason: str, skeleton: Iterable[str] = (), info: Mapping[str, Any] | None = None
@@ -173,7 +120,7 @@ class EpisodeStore:
         return _read_json(self.path / "failures" / f"{seed:08d}.json")
 
     def header(self, seed: int) -> EpisodeHeader:
-        """What episode `seed` says about itself, without its arrays; damage and foreign files are found here."""
+        """What an episode says about itself, without its arrays; damage and foreign files are found here."""
         path = self.episode_path(seed)
         if not path.exists():
             raise DatasetError(f"{self.path} holds no episode {seed}; it holds {_range_text(self.seeds)}")
@@ -185,31 +132,12 @@ class EpisodeStore:
         return header
 
     def headers(self) -> list[EpisodeHeader]:
-        """All headers, ascending by seed: a check of every file's format and size at the cost of one small read each."""
+        """All headers, ascending by seed: a check of every file's format and size, one small read each."""
         return [self.header(seed) for seed in self.seeds]
 
     def read(self, seed: int) -> Episode:
         """One episode with all its arrays."""
-        header = self.header(seed)
-        observations = {name: header.read(OBSERVATION_PREFIX + name) for name in header.observation_names}
-        episode = Episode(
-            task=header.task,
-            seed=header.seed,
-            agent=header.agent,
-            observations=observations,
-            actions=header.read("actions"),
-            executed=header.read("executed"),
-            initial_state=header.read("initial_state"),
-            objects=header.read("objects"),
-            object_names=header.object_names,
-            success=header.success,
-            failure=header.failure,
-            skeleton=header.skeleton,
-            info=header.info,
-        )
-        for name, array in _arrays(episode).items():
-            require_finite(array, header.path, name)
-        return episode
+        return read_episode(self.header(seed))
 
     def _require_same(self, wanted: dict[str, Any]) -> None:
         have = {"task": self.task, "cameras": list(self.cameras), **self.config}
@@ -222,38 +150,6 @@ class EpisodeStore:
                 )
 
 
-def require_finite(array: NDArray[Any], path: Path, name: str) -> None:
-    """`DatasetError` if a floating-point array holds NaN or infinity."""
-    if array.dtype.kind == "f" and not np.isfinite(array).all():
-        raise DatasetError(f"{path}: {name} holds NaN or infinity; {_REMEDY}")
-
-
-def read_header(path: Path) -> EpisodeHeader:
-    """Parse and check the header of an episode file: format, keys, and that the file is as long as it says."""
-    try:
-        with path.open("rb") as file:
-            prefix = file.read(8)
-            length = struct.unpack("<Q", prefix)[0] if len(prefix) == 8 else _MAX_HEADER + 1
-            text = file.read(length) if length <= _MAX_HEADER else b""
-        entries = json.loads(text)
-        meta = entries.pop("__metadata__")
-        if meta["format"] != EPISODE_FORMAT:
-            raise ValueError(f"format {meta['format']!r}")
-        facts = json.loads(meta["episode"])
-        if facts["version"] != VERSION:
-            raise ValueError(f"version {facts['version']!r}")
-        arrays = {name: _slot(entry, 8 + length) for name, entry in entries.items()}
-        end = 8 + length + max(entry["data_offsets"][1] for entry in entries.values())
-        header = _header(path, facts, arrays)
-    except OSError as error:
-        raise DatasetError(f"cannot read {path}: {error.strerror or error}") from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise DatasetError(f"{path} is not an episode file or is damaged ({error}); {_REMEDY}") from error
-    if path.stat().st_size != end:
-        raise DatasetError(f"{path} is {path.stat().st_size} bytes long, its header says {end}; {_REMEDY}")
-    return header
-
-
 def installed_versions() -> dict[str, str]:
     """Versions of Python, this package and numpy."""
     return {"python": platform.python_version(), "numpy": np.__version__, "optimus-tamp": _package_version()}
@@ -264,57 +160,6 @@ def _package_version() -> str:
         return metadata.version("optimus-tamp")
     except metadata.PackageNotFoundError:  # run from a source tree that is not installed
         return "unknown"
-
-
-def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
-    return ArraySlot(
-        np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0]
-    )
-
-
-def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:
-    names = tuple(facts["observations"])
-    steps = arrays["actions"].shape[0]
-    for name in ("executed", "objects", *(OBSERVATION_PREFIX + n for n in names)):
-        if arrays[name].shape[0] != steps:
-            raise ValueError(f"{name} has {arrays[name].shape[0]} steps, actions have {steps}")
-    return EpisodeHeader(
-        path=path,
-        seed=int(facts["seed"]),
-        task=facts["task"],
-        agent=facts["agent"],
-        object_names=tuple(facts["object_names"]),
-        observation_names=names,
-        success=bool(facts["success"]),
-        failure=facts["failure"],
-        skeleton=tuple(facts["skeleton"]),
-        info=facts["info"],
-        arrays=arrays,
-    )
-
-
-def _arrays(episode: Episode) -> dict[str, NDArray[Any]]:
-    named = {OBSERVATION_PREFIX + name: array for name, array in episode.observations.items()}
-    named |= {"actions": episode.actions, "executed": episode.executed}
-    named |= {"initial_state": episode.initial_state, "objects": episode.objects}
-    return {name: np.ascontiguousarray(array) for name, array in named.items()}
-
-
-def _metadata(episode: Episode) -> str:
-    return json.dumps(
-        {
-            "version": VERSION,
-            "task": episode.task,
-            "seed": int(episode.seed),
-            "agent": episode.agent,
-            "observations": list(episode.observations),
-            "object_names": list(episode.object_names),
-            "success": bool(episode.success),
-            "failure": episode.failure,
-            "skeleton": list(episode.skeleton),
-            "info": episode.info,
-        }
-    )
 
 
 def _read_description(path: Path) -> dict[str, Any]:
@@ -339,7 +184,7 @@ def _read_json(file: Path) -> Any:
     except OSError as error:
         raise DatasetError(f"cannot read {file}: {error.strerror or error}") from error
     except ValueError as error:
-        raise DatasetError(f"{file} is not JSON ({error}); {_REMEDY}") from error
+        raise DatasetError(f"{file} is not JSON ({error}); delete it and do again what made it") from error
 
 
 def _seeds(folder: Path, pattern: re.Pattern[str]) -> tuple[int, ...]:

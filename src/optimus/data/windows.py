@@ -1,10 +1,11 @@
 """Windows of consecutive frames for training, cut from the episode files themselves.
 
-Images stay on disk as uint8 and are mapped into memory: a crop is copied out of the map, nothing is decoded, and the
-operating system's page cache is the only cache. Low-dimensional arrays are small and are held in memory.
+Images stay on disk as uint8 and are mapped into memory: a crop is copied out of the map, nothing is decoded,
+and the operating system's page cache is the only cache. Low-dimensional arrays are small and are held in
+memory.
 
-The unit of sampling is a *run*: `windows` consecutive windows of `context` frames each, which share their frames, so that
-`windows + context - 1` frames are encoded once and not `windows * context`.
+The unit of sampling is a *run*: `windows` consecutive windows of `context` frames each, which share their
+frames, so that `windows + context - 1` frames are encoded once and not `windows * context`.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.episode import IMAGE_SUFFIX
-from optimus.data.store import OBSERVATION_PREFIX, EpisodeHeader, EpisodeStore, require_finite
+from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
 GRIPPER = 6
@@ -83,8 +85,8 @@ class Windows:
         headers = [store.header(seed) for seed in seeds]
         _require_same_shapes(headers)
         self._tracks = [_track(header, store.cameras, config) for header in headers]
-        # A run may begin before its episode: the first labels are learned with a context of repeated first frames, which
-        # is what the agent gives them.
+        # A run may begin before its episode: the first labels are learned with a context of repeated first
+        # frames, which is what the agent gives them.
         self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self._tracks])
 
     def __len__(self) -> int:
@@ -155,7 +157,7 @@ class Windows:
 
 
 def _copy(out: NDArray[np.uint8], source: NDArray[np.uint8], frames: NDArray[np.int64]) -> None:
-    """`out[i] = source[max(frames[i], 0)]` for consecutive frames, with one copy for the part inside the episode."""
+    """`out[i] = source[max(frames[i], 0)]` for consecutive frames, in one copy where they are inside."""
     before = min(max(-int(frames[0]), 0), len(frames) - 1)
     first = int(frames[0]) + before
     out[before:] = source[first : first + len(frames) - before]

@@ -21,8 +21,8 @@ from optimus.learn.policy import Policy
 class PolicyAgent:
     """Acts on the newest frames: each is encoded once, the transformer sees the tokens of the last few.
 
-    `component` says which mean of the mixture is the answer: one `sampled` by weight, or that of the `likeliest`, which may
-    freeze where the demonstrations stood still.
+    `component` says which mean of the mixture is the answer: one `sampled` by weight, or that of the
+    `likeliest`, which may freeze where the demonstrations stood still.
     """
 
     def __init__(

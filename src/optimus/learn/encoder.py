@@ -12,16 +12,18 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 
 _PART = 48
-"""Images taken through the convolutions at once: what they make then stays in a core's cache (a fifth faster than 192)."""
+"""Images taken through the convolutions at once: what they make then stays in a core's cache (a fifth faster
+than 192)."""
 
 
 @dataclass(frozen=True)
 class EncoderConfig:
     """Convolutions, each followed by a ReLU; by default 76 pixels become a map of 19 x 19, then 10 x 10.
 
-    The defaults are what a probe of localisation (a square among clutter, accurate to 0.3 pixels after 200 steps) and a
-    clock chose. A group norm after each convolution doubled the time of a step on a CPU and changed nothing in the
-    probe; two layers of stride 2 in place of the first one took half as long again for the same accuracy.
+    The defaults are what a probe of localisation (a square among clutter, accurate to 0.3 pixels after 200
+    steps) and a clock chose. A group norm after each convolution doubled the time of a step on a CPU and
+    changed nothing in the probe; two layers of stride 2 in place of the first one took half as long again for
+    the same accuracy.
     """
 
     channels: tuple[int, ...] = (32, 64, 64)
@@ -34,7 +36,8 @@ class EncoderConfig:
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> EncoderConfig:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
-        return cls(**{name: tuple(part) if isinstance(part, list) else part for name, part in value.items()})
+        lists = {name: tuple(value[name]) for name in ("channels", "kernels", "strides")}
+        return cls(**{**value, **lists})
 
 
 class SpatialSoftmax(nn.Module):
@@ -64,6 +67,7 @@ class Encoder(nn.Module):
         for module in self.modules():
             if isinstance(module, nn.Conv2d):
                 nn.init.kaiming_normal_(module.weight, nonlinearity="relu")
+                assert module.bias is not None
                 nn.init.zeros_(module.bias)
 
     def forward(self, images: Tensor, half: bool = False) -> Tensor:

@@ -1,7 +1,8 @@
-"""The gradient of one training step, a pure function of (weights, seed, step, runtime): that is what makes resuming exact.
+"""The gradient of one training step, a pure function of (weights, seed, step, runtime): that is what makes
+resuming exact.
 
-Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded with the
-seed, the step and the shard.
+Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded
+with the seed, the step and the shard.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from optimus.learn.policy import Policy
 
 @dataclass(frozen=True)
 class Runtime:
-    """How steps are computed. It decides their rounding, so it is measured once and then recorded with the run."""
+    """How steps are computed. It decides their rounding, so it is measured once and then recorded with the
+    run."""
 
     shards: int
     """Parts that a batch is split into, each computed by one thread."""
@@ -39,7 +41,8 @@ class LossConfig:
     runs: int = 24
     """Runs of consecutive windows in a batch."""
     supervise: Literal["all", "last"] = "all"
-    """Whether the actions at all frames of a window are learned (contexts of 1 to 8 frames) or only that at its last one."""
+    """Whether the actions at all frames of a window are learned (contexts of 1 to 8 frames) or only that at
+    its last one."""
     location_weight: float = 0.0
     """Weight of the auxiliary error of the objects' positions, decoded from single frames."""
 
@@ -60,8 +63,8 @@ class StepLoss:
 class GradientWorkers:
     """Computes gradients for one policy, its batch split over threads.
 
-    Two threads with half a batch each are faster than one batch whose every operation is split in two: small operations
-    do not scale, and the GIL is free while they run.
+    Two threads with half a batch each are faster than one batch whose every operation is split in two: small
+    operations do not scale, and the GIL is free while they run.
     """
 
     def __init__(
@@ -143,7 +146,8 @@ def candidate_runtimes(runs: int) -> list[Runtime]:
 def fastest_runtime(
     policy: Policy, windows: Windows, config: LossConfig, seed: int, candidates: Sequence[Runtime]
 ) -> tuple[Runtime, float]:
-    """Time the candidates on gradients of real steps, without taking any; the fastest, and its seconds a step."""
+    """Time the candidates on gradients of real steps, without taking any; the fastest, and its seconds a
+    step."""
     seconds = {}
     for runtime in candidates:
         workers = GradientWorkers(policy, windows, config, runtime, seed)

@@ -1,4 +1,5 @@
-"""How well a policy answers on episodes that it was not trained on: what goes with success, unlike the likelihood."""
+"""How well a policy answers on episodes that it was not trained on: what goes with success, unlike the
+likelihood."""
 
 from __future__ import annotations
 
@@ -19,11 +20,13 @@ _RUNS_AT_ONCE = 32
 def held_out(
     policy: Policy, windows: Windows, runs: int, position_scale: float | None = None
 ) -> dict[str, float]:
-    """Errors at the last frame of evenly spread windows, of the likeliest component's mean, cropped in the centre.
+    """Errors at the last frame of evenly spread windows, of the likeliest component's mean, cropped in the
+    centre.
 
-    `action_error`: mean distance in position, in units of the action; `action_error_mm`: the same [mm] if the action's
-    scale [m] is known; `gripper_right`: share of gripper answers with the label's sign; `likelihood`: mean negative
-    log-likelihood; `location_error_mm`: mean distance of the auxiliary answer, if the policy was taught it.
+    `action_error`: mean distance in position, in units of the action; `action_error_mm`: the same [mm] if the
+    action's scale [m] is known; `gripper_right`: share of gripper answers with the label's sign;
+    `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer, if
+    the policy was taught it.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [

@@ -66,6 +66,12 @@ class PolicyInputs:
 class Policy(nn.Module):
     """Frame features (one encoder a camera, proprioception) -> tokens -> transformer -> mixture."""
 
+    low_mean: Tensor
+    low_deviation: Tensor
+    objects_mean: Tensor
+    objects_deviation: Tensor
+    action_scale: Tensor
+
     def __init__(self, config: PolicyConfig, inputs: PolicyInputs) -> None:
         super().__init__()
         self.config, self.inputs = config, inputs
@@ -91,8 +97,8 @@ class Policy(nn.Module):
             getattr(self, f"{name}_deviation").copy_(
                 values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION)
             )
-        # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9 because the means
-        # pass through a tanh. The gripper is +-1 already.
+        # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9
+        # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)
         for part in (slice(0, 3), slice(3, 6)):
             self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
@@ -136,7 +142,8 @@ class Policy(nn.Module):
         return self.locate(frames)
 
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
-        """Smooth absolute error of the objects' positions, from frame features and `(..., k, 3)` [m], shape `(...)`."""
+        """Smooth absolute error of the objects' positions, from frame features and `(..., k, 3)` [m], shape
+        `(...)`."""
         target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
         return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
 
@@ -164,7 +171,8 @@ def _width(name: str, size: int) -> int:
 
 
 def _two_columns(quaternion: Tensor) -> Tensor:
-    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`: `q` and `-q` are the same to it."""
+    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`: `q` and `-q` are the same
+    to it."""
     x, y, z, w = F.normalize(quaternion, dim=-1).unbind(-1)
     first = (1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w))
     second = (2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w))

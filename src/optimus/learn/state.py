@@ -1,7 +1,7 @@
 """Everything that the next training step depends on, and its file.
 
-`train_state/<step>.safetensors` holds weights, running average and optimiser moments, with step and plan in its header: one
-file, renamed into place, so that a run killed at any moment has a whole one.
+`train_state/<step>.safetensors` holds weights, running average and optimiser moments, with step and plan in
+its header: one file, renamed into place, so that a run killed at any moment has a whole one.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import json
 import re
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import torch
 from safetensors import SafetensorError, safe_open
@@ -118,13 +119,14 @@ class TrainState:
                     raise CheckpointError(
                         f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again"
                     )
-                # The layout of the parameter (channels last): elementwise updates have to meet the same elements.
+                # The layout of the parameter (channels last): elementwise updates have to meet the same
+                # elements.
                 values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
             if step > 0:
                 self.optimiser.state[parameter] = {"step": torch.tensor(float(step)), **values}
 
 
-def _facts(file: Path) -> dict[str, object]:
+def _facts(file: Path) -> dict[str, Any]:
     try:
         with safe_open(file, "pt") as opened:
             meta = opened.metadata() or {}

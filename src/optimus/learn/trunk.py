@@ -22,8 +22,8 @@ class TransformerConfig:
 def dropout(x: Tensor, share: float, noise: torch.Generator | None) -> Tensor:
     """Drop this share of the entries; none without `noise`.
 
-    The masks come from a generator of the caller's, so that a gradient is a function of its seed in whatever thread it is
-    computed.
+    The masks come from a generator of the caller's, so that a gradient is a function of its seed in whatever
+    thread it is computed.
     """
     if noise is None or share == 0:
         return x

@@ -29,7 +29,7 @@ SCENES = {
         robot=PANDA,
         fixtures=(TABLE, LEFT, RIGHT),
         movables=(Movable("object", shape),),
-        cameras=(Camera("agentview", (1.18, 0.0, 0.58), (0.50, 0.0, 0.03), 52.0),),
+        cameras=(Camera("agentview", (1.02, 0.0, 0.80), (0.50, 0.0, 0.04), 48.0),),
     )
     for name, shape in OBJECTS.items()
 }

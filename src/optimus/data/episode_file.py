@@ -1,0 +1,188 @@
+"""One episode as one safetensors file: its arrays, and everything else as JSON in the header.
+
+The header is parsed here, not by a library, because the windows of training map the arrays where they lie in
+the file.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from safetensors.numpy import save
+
+from optimus.data.episode import Episode
+from optimus.errors import DatasetError
+
+EPISODE_FORMAT = "optimus-episode"
+VERSION = 1
+OBSERVATION_PREFIX = "obs."
+
+_DTYPES = {"U8": np.uint8, "F32": np.float32, "F64": np.float64, "I64": np.int64, "BOOL": np.bool_}
+_MAX_HEADER = 100_000_000  # [bytes], the format's own limit
+_REMEDY = "delete it and collect again to replace it"
+
+
+@dataclass(frozen=True)
+class ArraySlot:
+    """Where one array lies in an episode file: `offset` [bytes] counts from the start of the file."""
+
+    dtype: np.dtype[Any]
+    shape: tuple[int, ...]
+    offset: int
+
+
+@dataclass(frozen=True, eq=False)
+class EpisodeHeader:
+    """What an episode file says about itself; read without touching its arrays."""
+
+    path: Path
+    seed: int
+    task: str
+    agent: str
+    object_names: tuple[str, ...]
+    observation_names: tuple[str, ...]
+    success: bool
+    failure: str
+    skeleton: tuple[str, ...]
+    info: dict[str, Any]
+    arrays: dict[str, ArraySlot]
+
+    @property
+    def steps(self) -> int:
+        """The number of actions."""
+        return self.arrays["actions"].shape[0]
+
+    def read(self, name: str) -> NDArray[Any]:
+        """One array of the file, e.g. `actions` or `obs.robot0_eef_pos`."""
+        if name not in self.arrays:
+            raise DatasetError(f"{self.path} holds no {name}; it holds {', '.join(sorted(self.arrays))}")
+        slot = self.arrays[name]
+        count = int(np.prod(slot.shape))
+        try:
+            flat = np.fromfile(self.path, dtype=slot.dtype, count=count, offset=slot.offset)
+        except OSError as error:
+            raise DatasetError(f"cannot read {self.path}: {error.strerror or error}") from error
+        if flat.size != count:
+            raise DatasetError(f"{self.path} is cut short at {name}; {_REMEDY}")
+        return flat.reshape(slot.shape)
+
+
+def episode_bytes(episode: Episode, path: Path) -> bytes:
+    """The content of an episode's file; `path` is where it will be, for the message if a value is not
+    finite."""
+    arrays = _arrays(episode)
+    for name, array in arrays.items():
+        require_finite(array, path, name)
+    return save(arrays, metadata={"format": EPISODE_FORMAT, "episode": _metadata(episode)})
+
+
+def read_episode(header: EpisodeHeader) -> Episode:
+    """The episode with all its arrays."""
+    episode = Episode(
+        task=header.task,
+        seed=header.seed,
+        agent=header.agent,
+        observations={name: header.read(OBSERVATION_PREFIX + name) for name in header.observation_names},
+        actions=header.read("actions"),
+        executed=header.read("executed"),
+        initial_state=header.read("initial_state"),
+        objects=header.read("objects"),
+        object_names=header.object_names,
+        success=header.success,
+        failure=header.failure,
+        skeleton=header.skeleton,
+        info=header.info,
+    )
+    for name, array in _arrays(episode).items():
+        require_finite(array, header.path, name)
+    return episode
+
+
+def require_finite(array: NDArray[Any], path: Path, name: str) -> None:
+    """`DatasetError` if a floating-point array holds NaN or infinity."""
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        raise DatasetError(f"{path}: {name} holds NaN or infinity; {_REMEDY}")
+
+
+def read_header(path: Path) -> EpisodeHeader:
+    """Parse and check the header of an episode file: format, keys, and that the file is as long as it
+    says."""
+    try:
+        with path.open("rb") as file:
+            prefix = file.read(8)
+            length = struct.unpack("<Q", prefix)[0] if len(prefix) == 8 else _MAX_HEADER + 1
+            text = file.read(length) if length <= _MAX_HEADER else b""
+        entries = json.loads(text)
+        meta = entries.pop("__metadata__")
+        if meta["format"] != EPISODE_FORMAT:
+            raise ValueError(f"format {meta['format']!r}")
+        facts = json.loads(meta["episode"])
+        if facts["version"] != VERSION:
+            raise ValueError(f"version {facts['version']!r}")
+        arrays = {name: _slot(entry, 8 + length) for name, entry in entries.items()}
+        end = 8 + length + max(entry["data_offsets"][1] for entry in entries.values())
+        header = _header(path, facts, arrays)
+    except OSError as error:
+        raise DatasetError(f"cannot read {path}: {error.strerror or error}") from error
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise DatasetError(f"{path} is not an episode file or is damaged ({error}); {_REMEDY}") from error
+    if path.stat().st_size != end:
+        raise DatasetError(f"{path} is {path.stat().st_size} bytes long, its header says {end}; {_REMEDY}")
+    return header
+
+
+def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
+    return ArraySlot(
+        np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0]
+    )
+
+
+def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:
+    names = tuple(facts["observations"])
+    steps = arrays["actions"].shape[0]
+    for name in ("executed", "objects", *(OBSERVATION_PREFIX + n for n in names)):
+        if arrays[name].shape[0] != steps:
+            raise ValueError(f"{name} has {arrays[name].shape[0]} steps, actions have {steps}")
+    return EpisodeHeader(
+        path=path,
+        seed=int(facts["seed"]),
+        task=facts["task"],
+        agent=facts["agent"],
+        object_names=tuple(facts["object_names"]),
+        observation_names=names,
+        success=bool(facts["success"]),
+        failure=facts["failure"],
+        skeleton=tuple(facts["skeleton"]),
+        info=facts["info"],
+        arrays=arrays,
+    )
+
+
+def _arrays(episode: Episode) -> dict[str, NDArray[Any]]:
+    named = {OBSERVATION_PREFIX + name: array for name, array in episode.observations.items()}
+    named |= {"actions": episode.actions, "executed": episode.executed}
+    named |= {"initial_state": episode.initial_state, "objects": episode.objects}
+    return {name: np.ascontiguousarray(array) for name, array in named.items()}
+
+
+def _metadata(episode: Episode) -> str:
+    return json.dumps(
+        {
+            "version": VERSION,
+            "task": episode.task,
+            "seed": int(episode.seed),
+            "agent": episode.agent,
+            "observations": list(episode.observations),
+            "object_names": list(episode.object_names),
+            "success": bool(episode.success),
+            "failure": episode.failure,
+            "skeleton": list(episode.skeleton),
+            "info": episode.info,
+        }
+    )
