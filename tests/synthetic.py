@@ -29,8 +29,7 @@ def square_image(
 def make_episode(
     seed: int, steps: int = 20, task: str = "square", cameras: tuple[str, ...] = CAMERAS, **changes: Any
 ) -> Episode:
-    """The hand goes to the square: the action is proportional to the way that is left, and only the image
-    shows where to."""
+    """The hand goes to the square: the action is the way that is left, and only the image shows where to."""
     rng = np.random.default_rng(seed)
     target = rng.uniform(-REACH, REACH, size=2)
     hand = np.zeros((steps, 3), np.float32)

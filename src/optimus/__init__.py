@@ -10,3 +10,7 @@ __version__ = "0.1.0"
 if sys.platform == "linux":
     os.environ.setdefault("MUJOCO_GL", "egl")
     os.environ.setdefault("LP_NUM_THREADS", "1")
+
+from optimus.registration import register  # noqa: E402 - after the choice of the GL library
+
+register()

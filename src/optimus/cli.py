@@ -47,8 +47,10 @@ def tasks(json: bool = False) -> None:
     """
     from optimus.registration import gym_id
     from optimus.tasks import TASKS
+    from optimus.tasks import task as task_named
 
-    rows = [{"name": t.name, "summary": t.summary, "horizon": t.horizon, "gym": gym_id(t.name)} for t in TASKS.values()]
+    all_tasks = [task_named(name) for name in TASKS]
+    rows = [{"name": t.name, "summary": t.summary, "horizon": t.horizon, "gym": gym_id(t.name)} for t in all_tasks]
     _say({"tasks": rows}, json, "\n".join(f"{r['name']:<14} {r['summary']}  [{r['gym']}]" for r in rows))
 
 

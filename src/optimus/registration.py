@@ -1,10 +1,13 @@
-"""Makes every task a Gymnasium environment: `gymnasium.make("optimus/Stack-v0")`. Loaded by Gymnasium as a plugin."""
+"""Makes every task a Gymnasium environment: `import optimus; gymnasium.make("optimus/Stack-v0")`."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import gymnasium
+
+from optimus.tasks import TASKS
+from optimus.tasks import task as task_named
 
 
 def gym_id(task: str) -> str:
@@ -15,14 +18,12 @@ def gym_id(task: str) -> str:
 def make_env(task: str, **options: Any) -> gymnasium.Env[Any, Any]:
     """The environment of a task by name; `options` as for `ManipulationEnv`."""
     from optimus.env import ManipulationEnv
-    from optimus.tasks import task as task_named
 
     return ManipulationEnv(task_named(task), **options)
 
 
 def register() -> None:
-    """Register every task with Gymnasium."""
-    from optimus.tasks import TASKS
-
+    """Register every task with Gymnasium; none is imported before it is made."""
     for name in TASKS:
-        gymnasium.register(id=gym_id(name), entry_point="optimus.registration:make_env", kwargs={"task": name})
+        if gym_id(name) not in gymnasium.registry:
+            gymnasium.register(id=gym_id(name), entry_point="optimus.registration:make_env", kwargs={"task": name})

@@ -171,7 +171,7 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(
-                f"{header.path}: images of {slot.shape[1:3]} pixels are smaller than the crop of {config.crop}"
+                f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop} pixels"
             )
         images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
     names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]
@@ -200,5 +200,6 @@ def _require_same_shapes(headers: list[EpisodeHeader]) -> None:
         for name in sorted(expected.keys() | shapes.keys()):
             if expected.get(name) != shapes.get(name):
                 raise DatasetError(
-                    f"{header.path}: {name} has shape {shapes.get(name)} a step, in {first.path.name} it has {expected.get(name)}"
+                    f"{header.path}: {name} has shape {shapes.get(name)} a step, "
+                    f"in {first.path.name} it has {expected.get(name)}; collect these apart"
                 )

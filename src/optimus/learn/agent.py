@@ -63,7 +63,7 @@ class PolicyAgent:
         missing = [name for name in needed if name not in observation]
         if missing:
             raise CheckpointError(
-                f"the policy needs {', '.join(missing)}, the observation has {', '.join(sorted(observation))}; "
+                f"the policy needs {', '.join(missing)}, the observation has {', '.join(observation)}; "
                 "use the environment it was trained in"
             )
         images = {

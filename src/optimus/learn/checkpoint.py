@@ -1,5 +1,4 @@
-"""A trained policy on disk: `config.json` (what it is) and `model.safetensors` (weights with the
-normalisation in them).
+"""A trained policy on disk: `config.json` says what it is, `model.safetensors` has weights and normalisation.
 
 Plain JSON and safetensors only: loading one never runs code from the file.
 """
@@ -61,8 +60,7 @@ def save(run: Path, policy: Policy) -> None:
 
 
 def load(run: Path | str, task: str | None = None) -> Policy:
-    """The policy trained in the folder `run`; `CheckpointError` unless it was trained for `task`, if one is
-    named."""
+    """The policy trained in the folder `run`; `CheckpointError` if it was for another task than `task`."""
     run = Path(run)
     config = read_config(run)
     trained_for = config.get("inputs", {}).get("task")

@@ -12,8 +12,7 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 
 _PART = 48
-"""Images taken through the convolutions at once: what they make then stays in a core's cache (a fifth faster
-than 192)."""
+"""Images taken through the convolutions at once: what they make stays in a core's cache (a fifth faster)."""
 
 
 @dataclass(frozen=True)

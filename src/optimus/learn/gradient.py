@@ -1,7 +1,6 @@
-"""The gradient of one training step, a pure function of (weights, seed, step, runtime): that is what makes
-resuming exact.
+"""The gradient of one training step: a pure function of the weights, the seed, the step and the runtime.
 
-Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded
+That is what makes resuming exact. Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded
 with the seed, the step and the shard.
 """
 
@@ -25,8 +24,7 @@ from optimus.learn.policy import Policy
 
 @dataclass(frozen=True)
 class Runtime:
-    """How steps are computed. It decides their rounding, so it is measured once and then recorded with the
-    run."""
+    """How steps are computed. It decides their rounding, so it is settled once and recorded with the run."""
 
     shards: int
     """Parts that a batch is split into, each computed by one thread."""
@@ -41,8 +39,7 @@ class LossConfig:
     runs: int = 24
     """Runs of consecutive windows in a batch."""
     supervise: Literal["all", "last"] = "all"
-    """Whether the actions at all frames of a window are learned (contexts of 1 to 8 frames) or only that at
-    its last one."""
+    """Learn the actions at all frames of a window (contexts of 1 to 8 frames) or only that at its last."""
     location_weight: float = 0.0
     """Weight of the auxiliary error of the objects' positions, decoded from single frames."""
 
@@ -146,8 +143,7 @@ def candidate_runtimes(runs: int) -> list[Runtime]:
 def fastest_runtime(
     policy: Policy, windows: Windows, config: LossConfig, seed: int, candidates: Sequence[Runtime]
 ) -> tuple[Runtime, float]:
-    """Time the candidates on gradients of real steps, without taking any; the fastest, and its seconds a
-    step."""
+    """Time the candidates on real gradients, taking no step; the fastest, and its seconds a step."""
     seconds = {}
     for runtime in candidates:
         workers = GradientWorkers(policy, windows, config, runtime, seed)

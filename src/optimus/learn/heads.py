@@ -16,8 +16,7 @@ class MixtureConfig:
 
     modes: int = 5
     min_deviation: float = 0.03
-    """Smallest deviation, in normalised units: without it the likelihood of a component that hardly varies
-    explodes."""
+    """Smallest deviation, in normalised units: it keeps the likelihood of what hardly varies from exploding."""
     gripper_weight: float = 1.0
     """Weight of the gripper's log-density beside that of each other dimension."""
 
@@ -31,8 +30,7 @@ class Mixture:
     deviation: Tensor
 
     def log_density(self, actions: Tensor, weight: Tensor | None = None) -> Tensor:
-        """Log-density of `actions` `(..., n)`, shape `(...)`; `weight` `(n,)` scales each dimension's
-        share."""
+        """Log-density of `actions` `(..., n)`, shape `(...)`; `weight` `(n,)` scales each dimension."""
         z = (actions.unsqueeze(-2) - self.mean) / self.deviation
         terms = -0.5 * z.square() - self.deviation.log() - 0.5 * math.log(2 * math.pi)
         of_mode = (terms if weight is None else terms * weight).sum(-1)
@@ -43,8 +41,7 @@ class Mixture:
         return self._means_of(self.logits.argmax(-1))
 
     def sampled(self, noise: torch.Generator) -> Tensor:
-        """The mean of a component drawn by weight, `(..., n)`: the deviation is left out, as the paper's code
-        has it."""
+        """The mean of a component drawn by weight, `(..., n)`; no deviation is added, as in the paper's code."""
         weights = F.softmax(self.logits, -1)
         chosen = torch.multinomial(weights.reshape(-1, weights.shape[-1]), 1, generator=noise)
         return self._means_of(chosen.reshape(weights.shape[:-1]))

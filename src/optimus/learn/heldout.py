@@ -1,5 +1,4 @@
-"""How well a policy answers on episodes that it was not trained on: what goes with success, unlike the
-likelihood."""
+"""How well a policy answers on held-out episodes: the action error, unlike the likelihood, goes with success."""
 
 from __future__ import annotations
 
@@ -20,8 +19,7 @@ _RUNS_AT_ONCE = 32
 def held_out(
     policy: Policy, windows: Windows, runs: int, position_scale: float | None = None
 ) -> dict[str, float]:
-    """Errors at the last frame of evenly spread windows, of the likeliest component's mean, cropped in the
-    centre.
+    """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
 
     `action_error`: mean distance in position, in units of the action; `action_error_mm`: the same [mm] if the
     action's scale [m] is known; `gripper_right`: share of gripper answers with the label's sign;

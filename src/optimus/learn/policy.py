@@ -142,8 +142,7 @@ class Policy(nn.Module):
         return self.locate(frames)
 
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
-        """Smooth absolute error of the objects' positions, from frame features and `(..., k, 3)` [m], shape
-        `(...)`."""
+        """Smooth absolute error `(...)` of positions, from frame features and the objects' `(..., k, 3)` [m]."""
         target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
         return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
 
@@ -171,8 +170,7 @@ def _width(name: str, size: int) -> int:
 
 
 def _two_columns(quaternion: Tensor) -> Tensor:
-    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`: `q` and `-q` are the same
-    to it."""
+    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`, the same for `q` and `-q`."""
     x, y, z, w = F.normalize(quaternion, dim=-1).unbind(-1)
     first = (1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w))
     second = (2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w))

@@ -119,8 +119,7 @@ class TrainState:
                     raise CheckpointError(
                         f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again"
                     )
-                # The layout of the parameter (channels last): elementwise updates have to meet the same
-                # elements.
+                # In the layout of the parameter (channels last), as the optimiser made them.
                 values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
             if step > 0:
                 self.optimiser.state[parameter] = {"step": torch.tensor(float(step)), **values}

@@ -1,9 +1,9 @@
 """Behaviour cloning: a curated dataset to a trained policy, within a number of steps or of minutes.
 
-    RUN/config.json            what is trained, on what, how; versions; the runtime and number of steps that
-    were settled RUN/model.safetensors      the running average of the weights, normalisation included: the
-    policy RUN/train_state/           what training goes on from
-    RUN/metrics.jsonl          one line a report: loss, rate, labels a second, held-out errors
+    RUN/config.json          what is trained, on what, how; versions; the runtime and steps that were settled
+    RUN/model.safetensors    the policy: the running average of the weights, normalisation included
+    RUN/train_state/         what training goes on from
+    RUN/metrics.jsonl        one line a report: loss, rate, labels a second, held-out errors
 
 A run that was killed goes on where its last checkpoint was; with a budget in steps it ends with the very same
 weights.
@@ -88,10 +88,9 @@ def train(
     policy: PolicyConfig | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Policy:
-    """Train a policy on the curated dataset into the folder `run`, or go on with what is there; the policy is
-    returned.
+    """Train a policy on the curated dataset `dataset` into the folder `run`, or go on with what is there.
 
-    `progress` is called after every step.
+    The policy returned is the running average, as saved. `progress` is called after every step.
     """
     trainer = _Trainer(Path(dataset), Path(run), config or TrainConfig(), policy or PolicyConfig())
     try:
@@ -182,8 +181,7 @@ class _Trainer:
         return self.seconds_before + time.perf_counter() - self.session_start
 
     def _replan(self) -> None:
-        """With a budget of minutes, end when they are over even if the machine has become faster or
-        slower."""
+        """With a budget of minutes, end when they are over even on a machine that has changed its pace."""
         taken = self.state.step - self.first_step
         if self.config.steps is None and taken > 0:
             pace = (time.perf_counter() - self.session_start) / taken
@@ -213,8 +211,7 @@ class _Trainer:
 
 
 def fresh_policy(config: PolicyConfig, inputs: PolicyInputs, seed: int) -> Policy:
-    """A policy with random weights that are a function of the seed; the global random state is left as it
-    was."""
+    """A policy with random weights, a function of the seed; the global random state is left as it was."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         return Policy(config, inputs)

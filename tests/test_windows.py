@@ -1,0 +1,101 @@
+"""Windows: the right frames, crops and labels, compared with slices of the episode as it was made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from synthetic import make_dataset, make_episode
+
+from optimus.data.store import EpisodeStore
+from optimus.data.windows import WindowConfig, Windows
+from optimus.errors import DatasetError
+
+LENGTHS = {0: 12, 1: 5, 2: 20}
+
+
+@pytest.fixture(scope="module")
+def store(tmp_path_factory: pytest.TempPathFactory) -> EpisodeStore:
+    store = EpisodeStore.create(tmp_path_factory.mktemp("data"), "square", ("front",), {})
+    for seed, steps in LENGTHS.items():
+        store.write(make_episode(seed, steps, cameras=("front",)))
+    return store
+
+
+@settings(max_examples=30, deadline=None)
+@given(context=st.integers(1, 9), windows=st.integers(1, 6), data=st.data())
+def test_a_run_is_consecutive_frames_of_one_episode(
+    store: EpisodeStore, context: int, windows: int, data: st.DataObject
+) -> None:
+    cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows))
+    index = data.draw(st.integers(0, len(cut) - 1))
+    batch = cut.batch([index])
+    ends = [(seed, e) for seed, n in LENGTHS.items() for e in range(min(windows, n) - 1, n)]
+    ends = [(s, e) for s, e in ends if e >= windows - 1 or e == LENGTHS[s] - 1]
+    seed, end = ends[index]
+    assert len(cut) == len(ends)
+    episode = make_episode(seed, LENGTHS[seed], cameras=("front",))
+    frames = np.arange(end - cut.config.frames + 1, end + 1)
+    inside = np.maximum(frames, 0)
+    np.testing.assert_array_equal(batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80])
+    np.testing.assert_array_equal(batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside])
+    np.testing.assert_array_equal(batch.actions[0], episode.actions[inside])
+    np.testing.assert_array_equal(batch.objects[0], episode.objects[inside])
+    np.testing.assert_array_equal(batch.weight[0], frames >= 0)
+
+
+def test_sampling_is_a_function_of_the_generator(store: EpisodeStore) -> None:
+    cut = Windows(store, list(LENGTHS), WindowConfig())
+    first, again, other = (cut.sample(np.random.default_rng(s), 6) for s in (1, 1, 2))
+    np.testing.assert_array_equal(first.images["front"], again.images["front"])
+    np.testing.assert_array_equal(first.actions, again.actions)
+    assert not np.array_equal(first.images["front"], other.images["front"])
+
+
+def test_a_random_crop_is_one_offset_for_a_run(store: EpisodeStore) -> None:
+    cut = Windows(store, [2], WindowConfig())
+    images = store.read(2).observations["front_image"]
+    batch = cut.sample(np.random.default_rng(0), 20)
+    offsets = set()
+    for run, actions in zip(batch.images["front"], batch.actions, strict=True):
+        end = int(np.flatnonzero((store.read(2).actions == actions[-1]).all(1))[-1])
+        frames = np.maximum(np.arange(end - 7, end + 1), 0)
+        found = [
+            (top, left)
+            for top in range(9)
+            for left in range(9)
+            if np.array_equal(run, images[frames, top : top + 76, left : left + 76])
+        ]
+        assert len(found) == 1
+        offsets.add(found[0])
+    assert len(offsets) > 10
+
+
+def test_labels_near_a_change_of_the_gripper_weigh_more(store: EpisodeStore) -> None:
+    cut = Windows(store, [2], WindowConfig(change_weight=3.0, change_reach=1))
+    changes = int(np.flatnonzero(np.diff(make_episode(2, 20).actions[:, 6]))[0]) + 1
+    weight = cut.batch([changes + 4]).weight[0]  # frames changes-3 .. changes+4
+    np.testing.assert_array_equal(weight, [1, 1, 3, 3, 3, 1, 1, 1])
+
+
+def test_episodes_that_do_not_fit_together_are_named(store: EpisodeStore, tmp_path: Path) -> None:
+    other = EpisodeStore.create(tmp_path, "square", ("front",), {})
+    other.write(make_episode(0, cameras=("front",)))
+    other.write(make_episode(1, cameras=("front",), objects=np.zeros((20, 2, 3), np.float32)))
+    with pytest.raises(DatasetError, match=r"00000001\.safetensors: objects has shape \(2, 3\)"):
+        Windows(other, [0, 1], WindowConfig())
+    with pytest.raises(DatasetError, match="no episodes"):
+        Windows(store, [], WindowConfig())
+
+
+def test_nan_in_a_file_is_found_when_it_is_loaded(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path, 2)
+    path, slot = store.episode_path(1), store.header(1).arrays["obs.robot0_eef_pos"]
+    content = bytearray(path.read_bytes())
+    content[slot.offset : slot.offset + 4] = np.float32(np.nan).tobytes()
+    path.write_bytes(content)
+    with pytest.raises(DatasetError, match=r"00000001\.safetensors: obs\.robot0_eef_pos holds NaN"):
+        Windows(store, [0, 1], WindowConfig())
