@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic import make_dataset, make_episode
 
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import DatasetError
+from synthetic import make_dataset, make_episode
 
 LENGTHS = {0: 12, 1: 5, 2: 20}
 
@@ -40,8 +40,12 @@ def test_a_run_is_consecutive_frames_of_one_episode(
     episode = make_episode(seed, LENGTHS[seed], cameras=("front",))
     frames = np.arange(end - cut.config.frames + 1, end + 1)
     inside = np.maximum(frames, 0)
-    np.testing.assert_array_equal(batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80])
-    np.testing.assert_array_equal(batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside])
+    np.testing.assert_array_equal(
+        batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80]
+    )
+    np.testing.assert_array_equal(
+        batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside]
+    )
     np.testing.assert_array_equal(batch.actions[0], episode.actions[inside])
     np.testing.assert_array_equal(batch.objects[0], episode.objects[inside])
     np.testing.assert_array_equal(batch.weight[0], frames >= 0)
@@ -97,5 +101,5 @@ def test_nan_in_a_file_is_found_when_it_is_loaded(tmp_path: Path) -> None:
     content = bytearray(path.read_bytes())
     content[slot.offset : slot.offset + 4] = np.float32(np.nan).tobytes()
     path.write_bytes(content)
-    with pytest.raises(DatasetError, match=r"00000001\.safetensors: obs\.robot0_eef_pos holds NaN"):
+    with pytest.raises(DatasetError, match=r"00000001\.safetensors: robot0_eef_pos holds NaN"):
         Windows(store, [0, 1], WindowConfig())

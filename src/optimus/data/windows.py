@@ -53,6 +53,8 @@ class Batch:
 
     images: dict[str, NDArray[np.uint8]]
     """Camera name -> `(B, F, crop, crop, 3)`."""
+    shifts: dict[str, NDArray[np.float32]]
+    """Camera name -> `(B, 2)`: how far right and down of the centre the crop is [half sides of the crop]."""
     proprioception: dict[str, NDArray[np.float32]]
     """Name -> `(B, F, n)`."""
     actions: NDArray[np.float32]
@@ -125,7 +127,7 @@ class Windows:
         """The runs of these indices; cropped in the centre if there is no `rng`."""
         places = [self._place(int(i)) for i in indices]
         side = self.config.crop
-        images = {}
+        images, shifts = {}, {}
         for camera in self.cameras:
             room = np.asarray(self._tracks[0].images[camera].shape[1:3]) - side
             offsets = (
@@ -137,10 +139,12 @@ class Windows:
             for run, (track, frames), (top, left) in zip(out, places, offsets, strict=True):
                 _copy(run, track.images[camera][:, top : top + side, left : left + side], frames)
             images[camera] = out
+            shifts[camera] = ((offsets - room // 2)[:, ::-1] / (side / 2)).astype(np.float32)
         weight = np.stack([np.where(frames < 0, 0, track.weight[frames.clip(0)]) for track, frames in places])
         names = self._tracks[0].proprioception
         return Batch(
             images=images,
+            shifts=shifts,
             proprioception={n: np.stack([t.proprioception[n][f.clip(0)] for t, f in places]) for n in names},
             actions=np.stack([track.actions[frames.clip(0)] for track, frames in places]),
             weight=weight.astype(np.float32),
@@ -171,7 +175,7 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(
-                f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop} pixels"
+                f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}"
             )
         images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
     names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]

@@ -69,9 +69,16 @@ class Encoder(nn.Module):
                 assert module.bias is not None
                 nn.init.zeros_(module.bias)
 
-    def forward(self, images: Tensor, half: bool = False) -> Tensor:
-        """`(N, h, w, 3)` uint8 to `(N, features)` float32; `half` runs the convolutions in bfloat16."""
-        return self.project(torch.cat([self._located(part, half) for part in images.split(_PART)]))
+    def forward(self, images: Tensor, shifts: Tensor | None = None, half: bool = False) -> Tensor:
+        """`(N, h, w, 3)` uint8 to `(N, features)` float32; `half` runs the convolutions in bfloat16.
+
+        `shifts` `(N, 2)`: how far right and down of the centre each crop was taken [half sides]. The keypoints
+        are moved by as much, so that a random crop varies what is seen but not where it is said to be.
+        """
+        places = torch.cat([self._located(part, half) for part in images.split(_PART)])
+        if shifts is not None:
+            places = places + shifts.repeat_interleave(places.shape[1] // 2, dim=1)
+        return self.project(places)
 
     def _located(self, images: Tensor, half: bool) -> Tensor:
         # NHWC seen as NCHW is the memory layout (channels last) that the convolutions are fastest in.

@@ -1,7 +1,7 @@
 """The gradient of one training step: a pure function of the weights, the seed, the step and the runtime.
 
-That is what makes resuming exact. Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded
-with the seed, the step and the shard.
+That is what makes resuming exact. Nothing random is carried from step to step: sampling, crops and dropout of
+a step come from generators seeded with the seed, the step and the shard.
 """
 
 from __future__ import annotations
@@ -109,7 +109,10 @@ def batch_loss(
 ) -> tuple[Tensor, Tensor]:
     """Mean negative log-likelihood of a batch's labels, and mean error of its objects' positions."""
     images, proprioception = tensors(batch.images), tensors(batch.proprioception)
-    frames = policy.frames(images, proprioception, half)
+    # One crop for a run of frames.
+    count = batch.actions.shape[1]
+    shifts = {name: shift[:, None].expand(-1, count, -1) for name, shift in tensors(batch.shifts).items()}
+    frames = policy.frames(images, proprioception, shifts, half)
     context = policy.config.context
     features = policy.features(windows_of(policy.tokens(frames), context).flatten(0, 1), noise)
     actions = windows_of(torch.from_numpy(batch.actions), context).flatten(0, 1)

@@ -16,7 +16,7 @@ class MixtureConfig:
 
     modes: int = 5
     min_deviation: float = 0.03
-    """Smallest deviation, in normalised units: it keeps the likelihood of what hardly varies from exploding."""
+    """Smallest deviation, in normalised units: the likelihood of what hardly varies cannot explode."""
     gripper_weight: float = 1.0
     """Weight of the gripper's log-density beside that of each other dimension."""
 
@@ -41,7 +41,7 @@ class Mixture:
         return self._means_of(self.logits.argmax(-1))
 
     def sampled(self, noise: torch.Generator) -> Tensor:
-        """The mean of a component drawn by weight, `(..., n)`; no deviation is added, as in the paper's code."""
+        """The mean of a component drawn by weight, `(..., n)`; nothing is added, as in the paper's code."""
         weights = F.softmax(self.logits, -1)
         chosen = torch.multinomial(weights.reshape(-1, weights.shape[-1]), 1, generator=noise)
         return self._means_of(chosen.reshape(weights.shape[:-1]))

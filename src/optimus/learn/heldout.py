@@ -1,4 +1,4 @@
-"""How well a policy answers on held-out episodes: the action error, unlike the likelihood, goes with success."""
+"""How well a policy answers on held-out episodes: this, unlike the likelihood, goes with success."""
 
 from __future__ import annotations
 

@@ -104,16 +104,22 @@ class Policy(nn.Module):
             self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
 
     def frames(
-        self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor], half: bool = False
+        self,
+        images: Mapping[str, Tensor],
+        proprioception: Mapping[str, Tensor],
+        shifts: Mapping[str, Tensor] | None = None,
+        half: bool = False,
     ) -> Tensor:
         """Features of frames seen one by one.
 
-        Images `(..., crop, crop, 3)` uint8 by camera and proprioception `(..., n)` by name to `(..., m)`.
+        Images `(..., crop, crop, 3)` uint8 by camera and proprioception `(..., n)` by name to `(..., m)`;
+        `shifts` `(..., 2)` by camera say where the crops were taken, in the centre if there are none.
         """
         shape = next(iter(proprioception.values())).shape[:-1]
-        seen = [
-            self.encoders[c](images[c].flatten(0, -4), half).reshape(*shape, -1) for c in self.inputs.cameras
-        ]
+        seen = []
+        for camera in self.inputs.cameras:
+            shift = None if shifts is None else shifts[camera].flatten(0, -2)
+            seen.append(self.encoders[camera](images[camera].flatten(0, -4), shift, half).reshape(*shape, -1))
         low = (self._low(proprioception) - self.low_mean) / self.low_deviation
         return torch.cat([*seen, low.clamp(-5, 5)], -1)
 
@@ -142,7 +148,7 @@ class Policy(nn.Module):
         return self.locate(frames)
 
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
-        """Smooth absolute error `(...)` of positions, from frame features and the objects' `(..., k, 3)` [m]."""
+        """Smooth absolute error `(...)` of positions, from frame features and `(..., k, 3)` [m]."""
         target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
         return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
 
@@ -170,7 +176,7 @@ def _width(name: str, size: int) -> int:
 
 
 def _two_columns(quaternion: Tensor) -> Tensor:
-    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`, the same for `q` and `-q`."""
+    """xyzw `(..., 4)` to the first two columns of the rotation matrix `(..., 6)`: as of `-q`."""
     x, y, z, w = F.normalize(quaternion, dim=-1).unbind(-1)
     first = (1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w))
     second = (2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w))

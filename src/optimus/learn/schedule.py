@@ -21,7 +21,7 @@ class StepPlan:
         return self.progress + (1 - self.progress) * (step - self.start) / (self.steps - self.start)
 
     def revised(self, step: int, seconds_left: float, seconds_a_step: float) -> StepPlan:
-        """The plan that ends with the time, if this one misses it by over a twentieth; progress has no jump."""
+        """The plan that ends with the time, if this one misses it by over a twentieth; without a jump."""
         steps = step + max(1, round(seconds_left / seconds_a_step))
         if step >= self.steps or abs(steps - self.steps) <= 0.05 * (self.steps - step):
             return self
