@@ -50,7 +50,9 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _spaces(self) -> dict[str, gymnasium.Space[Any]]:
         spaces: dict[str, gymnasium.Space[Any]] = {
-            name: gymnasium.spaces.Box(-np.inf, np.inf, (size,), np.float32) for name, size in PROPRIOCEPTION.items()
+            # generous: within reach, unit quaternions, rotation vectors up to pi
+            name: gymnasium.spaces.Box(-4.0, 4.0, (size,), np.float32)
+            for name, size in PROPRIOCEPTION.items()
         }
         if self.images:
             for camera in self.world.image_cameras:

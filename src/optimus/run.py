@@ -1,0 +1,163 @@
+"""The main job: collect, curate, train, evaluate and report, within one budget of minutes. Each stage goes on where it was stopped.
+
+    OUT/run.json      the resolved configuration, versions, what each stage took
+    OUT/data/         the dataset
+    OUT/policy/       the checkpoint and its metrics
+    OUT/films/        short films of successes and failures
+    OUT/report.html   what to look at
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from optimus.collect import CollectConfig, collect
+from optimus.data.atomic import make_folder, write_json
+from optimus.data.curate import curate
+from optimus.data.store import EpisodeStore, installed_versions
+from optimus.errors import DatasetError
+from optimus.evaluate import evaluate, film_outcomes, validation_starts
+from optimus.learn.train import Progress, TrainConfig, train
+from optimus.report import write_report
+from optimus.summary import summarise
+from optimus.tasks import task as task_named
+
+DEMONSTRATIONS_PER_MINUTE = 28
+"""Of the whole budget: about an eighth of it goes into collecting."""
+EVALUATION_MINUTES = 2.0
+"""Kept back for evaluation, films and report."""
+
+StageProgress = Callable[[str, int, int, dict[str, str]], None]
+"""`(stage, done, total, notes)`"""
+
+
+@dataclass(frozen=True)
+class RunConfig:
+    """What to run, where to, within which budget."""
+
+    task: str
+    out: Path
+    minutes: float = 20.0
+    demonstrations: int | None = None
+    episodes: int = 50
+    seed: int = 0
+    workers: int = 0
+
+    @property
+    def wanted(self) -> int:
+        """Demonstrations to collect."""
+        return self.demonstrations or max(40, round(DEMONSTRATIONS_PER_MINUTE * self.minutes))
+
+
+class _Journal:
+    """`run.json`: what was asked for, and what each stage took, over all the sessions that it needed."""
+
+    def __init__(self, config: RunConfig) -> None:
+        self.path = config.out / "run.json"
+        asked = {**asdict(config), "out": str(config.out.name)}
+        asked.pop("workers")
+        self.value: dict[str, Any] = {"config": asked, "versions": installed_versions(), "seconds": {}}
+        if self.path.exists():
+            there = json.loads(self.path.read_text())
+            for key, wanted in asked.items():
+                if there["config"].get(key) != wanted:
+                    raise DatasetError(
+                        f"{config.out} was begun with {key} = {there['config'].get(key)!r}, not {wanted!r}; "
+                        "use the same settings or another folder"
+                    )
+            self.value = there
+        else:
+            make_folder(config.out)
+        self.write()
+
+    def write(self) -> None:
+        write_json(self.path, self.value)
+
+    def add(self, stage: str, seconds: float) -> None:
+        self.value["seconds"][stage] = self.value["seconds"].get(stage, 0.0) + seconds
+        self.write()
+
+    @property
+    def spent(self) -> float:
+        """Seconds, all sessions together."""
+        return sum(self.value["seconds"].values())
+
+    def settled(self, key: str, decide: Callable[[], Any]) -> Any:
+        """A value decided once and kept for later sessions."""
+        if key not in self.value:
+            self.value[key] = decide()
+            self.write()
+        return self.value[key]
+
+
+def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[str, Any]:
+    """Everything, from the task's name to the report. Returns `{evaluation, report, ...}`, JSON-able."""
+    task_named(config.task)
+    journal = _Journal(config)
+    data, policy = config.out / "data", config.out / "policy"
+    _timed(journal, "collect", lambda: _collect(config, data, progress))
+    curation = _timed(journal, "curate", lambda: curate(data))
+    minutes = journal.settled("train_minutes", lambda: _minutes_left(config, journal))
+    _timed(journal, "train", lambda: _train(config, data, policy, minutes, progress))
+    report = _timed(journal, "evaluate", lambda: _evaluate(config, data, policy, progress))
+    page = config.out / "report.html"
+    films = _timed(journal, "films", lambda: _films(config, data, policy, report))
+    write_report(summarise(journal.value, EpisodeStore.open(data), curation, policy, report, films), page)
+    return {
+        "task": config.task,
+        "demonstrations": len(curation.kept) + len(curation.dropped),
+        "evaluation": {k: v for k, v in report.items() if k != "outcomes"},
+        "seconds": journal.value["seconds"],
+        "report": str(page),
+    }
+
+
+def _timed(journal: _Journal, stage: str, work: Callable[[], Any]) -> Any:
+    began = time.perf_counter()
+    try:
+        return work()
+    finally:
+        journal.add(stage, time.perf_counter() - began)
+
+
+def _minutes_left(config: RunConfig, journal: _Journal) -> float:
+    return max(0.5, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
+
+
+def _collect(config: RunConfig, data: Path, progress: StageProgress) -> None:
+    wanted = CollectConfig(config.task, data, config.wanted, config.seed, config.workers)
+    collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
+
+
+def _train(config: RunConfig, data: Path, policy: Path, minutes: float, progress: StageProgress) -> None:
+    def report(p: Progress) -> None:
+        notes = {k: f"{p.metrics[k]:.3g}" for k in ("loss", "held_out_mm", "labels_per_second") if k in p.metrics}
+        progress("train", p.step, p.steps, notes)
+
+    train(data, policy, TrainConfig(minutes=minutes, seed=config.seed), progress=report)
+
+
+def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgress) -> dict[str, Any]:
+    path = policy / "evaluation-validation.json"
+    if path.exists():
+        return json.loads(path.read_text())
+    starts = validation_starts(data, config.episodes)
+
+    def note(done: int, successes: int) -> None:
+        progress("evaluate", done, config.episodes, {"successes": str(successes)})
+
+    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note).as_dict()
+    write_json(path, report)
+    return report
+
+
+def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[tuple[str, Path, Path]]:
+    starts = validation_starts(data, config.episodes)
+    return film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films")
+
+

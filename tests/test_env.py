@@ -1,0 +1,101 @@
+"""The environment: Gymnasium's own checker, determinism, restarts, control."""
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import optimus
+from optimus.control import POSITION_SCALE, OperationalSpace
+from optimus.data.episode import PROPRIOCEPTION
+from optimus.env import ManipulationEnv
+from optimus.registration import gym_id
+from optimus.scene import compile_scene
+from optimus.tasks import TASKS, task
+
+
+@pytest.mark.parametrize("name", TASKS)
+@pytest.mark.filterwarnings("error")
+def test_gymnasium_finds_nothing_to_say(name: str) -> None:
+    assert optimus.__version__
+    check_env(gymnasium.make(gym_id(name)).unwrapped, skip_render_check=True)
+
+
+def test_observations_have_robosuite_names() -> None:
+    env = gymnasium.make("optimus/Stack-v0")
+    seen, _ = env.reset(seed=1)
+    assert set(PROPRIOCEPTION) | {"agentview_image", "robot0_eye_in_hand_image"} == set(seen)
+    assert seen["agentview_image"].shape == (84, 84, 3) and seen["agentview_image"].dtype == np.uint8
+    assert seen["agentview_image"].std() > 10  # a picture, not a blank
+
+
+def play(env: ManipulationEnv, seed: int, steps: int = 6) -> list[dict[str, np.ndarray]]:
+    rng = np.random.default_rng(seed)
+    seen, _ = env.reset(seed=seed)
+    out = [seen]
+    for _ in range(steps):
+        out.append(env.step(rng.uniform(-1, 1, 7).astype(np.float32))[0])
+    return out
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_the_same_seed_gives_the_same_bits(name: str) -> None:
+    env = ManipulationEnv(task(name))
+    first = play(env, 5)
+    play(env, 6)
+    for a, b in zip(first, play(env, 5), strict=True):
+        for key in a:
+            np.testing.assert_array_equal(a[key], b[key])
+
+
+def test_a_snapshot_starts_the_same_episode() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=3)
+    start = env.snapshot()
+    ends = []
+    for options in (None, {"state": start}):
+        env.reset(seed=3, options=options)
+        for _ in range(10):
+            env.step(np.array([0.2, 0.1, -0.3, 0, 0, 0.1, 1], np.float32))
+        ends.append(env.snapshot())
+    np.testing.assert_array_equal(ends[0], ends[1])
+
+
+def test_starts_differ_and_do_not_overlap() -> None:
+    seen = set()
+    for seed in range(30):
+        poses = task("stack").problem(seed).poses
+        a, b = poses["cubeA"].pos[:2], poses["cubeB"].pos[:2]
+        assert np.linalg.norm(a - b) > (0.02 + 0.025) * np.sqrt(2)
+        assert max(np.abs(np.array([a, b]) - (0.5, 0.0)).max(), 0) <= 0.08
+        seen.add(tuple(a))
+    assert len(seen) == 30
+
+
+def test_the_tcp_goes_where_it_is_sent() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    seen, _ = env.reset(seed=0)
+    start = seen["robot0_eef_pos"].astype(float)
+    for _ in range(10):
+        env.step(np.array([0.2, -0.3, 0.1, 0, 0, 0, -1], np.float32))
+    for _ in range(20):
+        seen, *_ = env.step(np.array([0, 0, 0, 0, 0, 0, -1], np.float32))
+    expected = start + POSITION_SCALE * 10 * np.array([0.2, -0.3, 0.1])
+    np.testing.assert_allclose(seen["robot0_eef_pos"], expected, atol=0.002)
+
+
+def test_the_target_does_not_wind_up_nor_leave_its_box() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=0)
+    for _ in range(60):
+        env.step(np.array([0, 0, -1, 0, 0, 0, 1], np.float32))
+    controller: OperationalSpace = env.controller
+    assert np.linalg.norm(controller.target_error(env.data)[:3]) <= controller.config.max_gap + 1e-9
+    assert controller.target.pos[2] >= controller.config.low[2]
+
+
+def test_equal_scenes_share_one_model() -> None:
+    problem = task("pick-place").problem
+    by_variant = {problem(s).variant: compile_scene(problem(s).scene) for s in range(20)}
+    assert len(by_variant) == 3
+    assert compile_scene(problem(0).scene) is by_variant[problem(0).variant]
