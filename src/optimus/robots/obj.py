@@ -1,8 +1,7 @@
 """Triangle meshes in Wavefront OBJ files, with a normal at every corner: read, join, reduce, write."""
 
-import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -39,28 +38,33 @@ class Mesh:
 
 
 def read(path: Path) -> Mesh:
-    """Read an OBJ file; points at the same place become one. `AssetError` when it holds no triangles."""
-    rows: dict[str, list[list[float]]] = {"v": [], "vn": []}
-    corners: list[tuple[str, ...]] = []
-    for line in path.read_text(encoding="utf-8").splitlines():
-        kind, *words = line.split() or [""]
-        if kind in rows:
-            rows[kind].append([float(word) for word in words[:3]])
-        elif kind == "f":
-            corners += [(words[0], b, c) for b, c in itertools.pairwise(words[1:])]
-    if not corners:
+    """Read an OBJ file of triangles; points at the same place become one. `AssetError` when it is not one."""
+    text = path.read_text(encoding="utf-8").splitlines()
+    try:
+        places, directions = _rows(text, "v").astype(float), _rows(text, "vn").astype(float)
+        # a corner is "7", "7/2", "7//5" or "7/2/5": its point comes first, its normal (if any) last
+        corners = _rows([line.replace("/", " ") for line in text if line.startswith("f ")], "f").astype(int)
+        corners = corners.reshape(len(corners), 3, -1) - 1
+    except ValueError as error:
+        raise AssetError(f"{path} is not an OBJ file of triangles: {error}") from error
+    if not len(corners):
         raise AssetError(f"{path} holds no triangles")
-    # "7", "7/2", "7//5" and "7/2/5" all start with the point and, if they name a normal, end with it
-    index = np.array([[int(word.split("/")[0]) for word in face] for face in corners]) - 1
     # exports repeat a point once a face; joined up, the simplifier can collapse the edges between faces
-    points, joined = np.unique(np.asarray(rows["v"]), axis=0, return_inverse=True)
-    faces = joined.reshape(-1)[index]
+    points, joined = np.unique(places, axis=0, return_inverse=True)
+    faces = joined.reshape(-1)[corners[:, :, 0]]
     solid = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
-    if rows["vn"]:
-        normal_index = np.array([[int(word.split("/")[-1]) for word in face] for face in corners]) - 1
-        return Mesh(points, faces[solid], np.asarray(rows["vn"])[normal_index][solid])
-    flat = Mesh(points, faces[solid], np.zeros((int(solid.sum()), 3, 3)))
-    return Mesh(flat.points, flat.faces, np.repeat(flat.face_normals[:, None], 3, axis=1))
+    mesh = Mesh(points, faces[solid], np.zeros((int(solid.sum()), 3, 3)))
+    if len(directions):
+        return replace(mesh, normals=directions[corners[:, :, -1]][solid])
+    return replace(mesh, normals=np.repeat(mesh.face_normals[:, None], 3, axis=1))
+
+
+def _rows(lines: Sequence[str], kind: str) -> np.ndarray:
+    """The words after `kind` in the lines that start with it, one row a line."""
+    chosen = [line.removeprefix(f"{kind} ") for line in lines if line.startswith(f"{kind} ")]
+    if not chosen:
+        return np.empty((0, 3), dtype="U1")
+    return np.array(" ".join(chosen).split()).reshape(len(chosen), -1)
 
 
 def join(meshes: Sequence[Mesh]) -> Mesh:
