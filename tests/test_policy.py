@@ -114,7 +114,7 @@ def test_a_position_sees_itself_and_those_before_it() -> None:
     trunk = Transformer(TransformerConfig(), 8)
     tokens = torch.randn(2, 8, 128)
     changed = tokens.clone()
-    changed[:, 5] += 1
+    changed[:, 5] = torch.randn(2, 128)
     same = (trunk(tokens) - trunk(changed)).abs().amax((0, 2)) < 1e-5
     assert same.tolist() == [True] * 5 + [False] * 3
 

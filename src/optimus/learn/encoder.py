@@ -73,7 +73,7 @@ class Encoder(nn.Module):
         """`(N, h, w, 3)` uint8 to `(N, features)` float32; `half` runs the convolutions in bfloat16.
 
         `shifts` `(N, 2)`: how far right and down of the centre each crop was taken [half sides]. The keypoints
-        are moved by as much, so that a random crop varies what is seen but not where it is said to be.
+        are moved by as much: a random crop varies what is seen but not where it is said to be.
         """
         places = torch.cat([self._located(part, half) for part in images.split(_PART)])
         if shifts is not None:

@@ -1,0 +1,100 @@
+"""The command line as a contract: JSON last on standard output, one-line errors with exit status 2."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from optimus.collect import CollectConfig, collect
+
+
+def optimus(*args: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", "optimus.cli", *args], capture_output=True, text=True, check=False)
+
+
+def result_of(*args: str) -> dict:
+    done = optimus(*args, "--json")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout.strip().splitlines()[-1])
+
+
+def refused(*args: str) -> str:
+    done = optimus(*args)
+    assert done.returncode == 2, (done.returncode, done.stderr)
+    last = done.stderr.strip().splitlines()[-1]
+    assert last.startswith("optimus: ") and "Traceback" not in done.stderr
+    return last
+
+
+def test_tasks_and_help() -> None:
+    assert {t["name"] for t in result_of("tasks")["tasks"]} == {"stack", "pick-place"}
+    for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
+        done = optimus(verb, "--help")
+        assert done.returncode == 0 and "optimus " + verb in done.stdout and "Example" in done.stdout
+
+
+def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
+    assert "pick-place, stack" in refused("show", "stackk")
+    assert "pick-place, stack" in refused("collect", "stackk", "--out", str(tmp_path / "d"))
+    assert "collect" in refused("colect", "stack")
+    assert not (tmp_path / "d").exists()
+
+
+def test_missing_or_foreign_folders_are_named(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("not a dataset")
+    assert "file" in refused("curate", str(tmp_path / "file"))
+    assert str(tmp_path) in refused("train", str(tmp_path), "--out", str(tmp_path / "run"))
+    assert str(tmp_path) in refused("evaluate", str(tmp_path), "--states", "random")
+    assert "file" in refused("collect", "stack", "--out", str(tmp_path / "file" / "data"))
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
+    """A file system of 300 kB, made in a mount namespace where that is allowed."""
+    script = f"mount -t tmpfs -o size=300k none {tmp_path} && exec {sys.executable} -m optimus.cli collect stack"
+    script += f" --episodes 1 --workers 1 --out {tmp_path}/data"
+    done = subprocess.run(["unshare", "-rm", "sh", "-c", script], capture_output=True, text=True, check=False)
+    if "unshare" in done.stderr or "mount" in done.stderr:
+        pytest.skip("mount namespaces are not allowed here")
+    assert done.returncode == 2
+    assert "No space left" in done.stderr.strip().splitlines()[-1]
+
+
+def test_bench_expert_has_its_keys() -> None:
+    result = result_of("bench", "expert", "stack", "--episodes", "3", "--seed", "77")
+    keys = "task control episodes successes paper_rule_successes plan_seconds episode_steps tracking_error_mm failures"
+    assert set(keys.split()) <= set(result)
+    assert result["successes"] == 3 and set(result["plan_seconds"]) == {"median", "p95", "max"}
+
+
+def test_bench_collect_render_step_and_action() -> None:
+    collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2")
+    assert collected["demonstrations"] == 2
+    assert set(collected["cpu_seconds"]) == {"planning", "physics", "rendering", "writing"}
+    assert result_of("bench", "render", "stack", "--episodes", "3")["frame_ms"]["agentview"]["median"] > 0
+    assert result_of("bench", "step", "stack", "--episodes", "1")["step_ms"]["median"] > 0
+    assert result_of("bench", "action", "stack")["action_ms"]["median"] > 0
+
+
+def test_show_writes_pictures(tmp_path: Path) -> None:
+    for extra in ([], ["--plan"]):
+        out = tmp_path / f"{len(extra)}.png"
+        assert result_of("show", "stack", "--seed", "3", "--out", str(out), *extra)["picture"] == str(out)
+        with Image.open(out) as picture:
+            assert picture.size[0] > 1000
+
+
+def test_the_stages_one_by_one(tmp_path: Path) -> None:
+    data, run = tmp_path / "data", tmp_path / "run"
+    collect(CollectConfig("stack", data, 4, workers=1))
+    assert result_of("curate", str(data))["train"] >= 2
+    result_of("train", str(data), "--out", str(run), "--steps", "3")
+    films = tmp_path / "films"
+    args = ("evaluate", str(run), "--dataset", str(data), "--episodes", "2", "--workers", "2")
+    found = result_of(*args, "--videos", str(films))
+    assert found["episodes"] == 2 and len(found["interval"]) == 2
+    assert len(list(films.glob("*.mp4"))) == 2
+    assert "pick-place" in refused(*args, "--task", "pick-place")

@@ -1,0 +1,232 @@
+"""Training: it learns, keeps to its plan, and goes on after any kill as if nothing had been."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given
+from hypothesis import strategies as st
+from safetensors.numpy import load_file
+from synthetic import make_dataset, make_episode
+
+from optimus.data.curate import curate
+from optimus.data.store import EpisodeStore
+from optimus.errors import CheckpointError, DatasetError
+from optimus.learn import metrics
+from optimus.learn.checkpoint import load
+from optimus.learn.encoder import EncoderConfig
+from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime
+from optimus.learn.policy import PolicyConfig
+from optimus.learn.schedule import RateConfig, StepPlan
+from optimus.learn.train import Progress, TrainConfig, TrainingError, train
+from optimus.learn.trunk import TransformerConfig
+
+SMALL = PolicyConfig(
+    crop=60,
+    encoder=EncoderConfig(channels=(8, 16), kernels=(8, 3), strides=(4, 2), keypoints=8, features=16),
+    trunk=TransformerConfig(width=32, layers=1, heads=2),
+)
+QUICK = TrainConfig(
+    steps=24,
+    loss=LossConfig(runs=4, location_weight=0.5),
+    evaluations=2,
+    held_out_runs=4,
+    checkpoint_seconds=0.0,
+    runtime=Runtime(shards=2, half=False),
+)
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return make_dataset(tmp_path_factory.mktemp("data"), 4, 12).path
+
+
+@pytest.fixture(scope="module")
+def uninterrupted(dataset: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    run = tmp_path_factory.mktemp("whole") / "run"
+    train(dataset, run, QUICK, SMALL)
+    return run
+
+
+class Stop(Exception):
+    """Ends a run from within its progress callback."""
+
+
+def files_of(run: Path) -> dict[str, dict[str, np.ndarray]]:
+    """All tensors of a run."""
+    files = [run / "model.safetensors", *sorted((run / "train_state").glob("*.safetensors"))]
+    return {str(file.relative_to(run)): load_file(file) for file in files}
+
+
+def assert_same_bits(run: Path, other: Path) -> None:
+    first, second = files_of(run), files_of(other)
+    assert first.keys() == second.keys()
+    for file, tensors in first.items():
+        assert tensors.keys() == second[file].keys()
+        for name, value in tensors.items():
+            assert value.tobytes() == second[file][name].tobytes(), (file, name)
+
+
+def test_a_finished_run_is_complete(uninterrupted: Path, dataset: Path) -> None:
+    assert sorted(p.name for p in uninterrupted.iterdir()) == [
+        "config.json",
+        "metrics.jsonl",
+        "model.safetensors",
+        "train_state",
+    ]
+    lines = metrics.read(uninterrupted)
+    assert [line["step"] for line in lines] == list(range(1, 25))
+    measured = [line["step"] for line in lines if "held_out_action_error_mm" in line]
+    assert measured == [12, 24]
+    assert load(uninterrupted, task="square").inputs.cameras == ("front", "wrist")
+    before = files_of(uninterrupted)
+    train(dataset, uninterrupted, QUICK, SMALL)  # nothing is left to do
+    assert before.keys() == files_of(uninterrupted).keys()
+
+
+def test_the_same_seed_gives_the_same_bits(uninterrupted: Path, dataset: Path, tmp_path: Path) -> None:
+    torch.manual_seed(123)  # the global state is of no influence, and is not touched
+    state = torch.get_rng_state()
+    train(dataset, tmp_path, QUICK, SMALL)
+    assert torch.equal(state, torch.get_rng_state())
+    assert_same_bits(tmp_path, uninterrupted)
+
+
+def test_stopping_after_each_step_changes_nothing(uninterrupted: Path, dataset: Path, tmp_path: Path) -> None:
+    def stop(progress: Progress) -> None:
+        if progress.step % 7 == 0:
+            raise Stop
+
+    for _ in range(4):
+        try:
+            train(dataset, tmp_path, QUICK, SMALL, stop)
+        except Stop:
+            continue
+    assert_same_bits(tmp_path, uninterrupted)
+    assert [line["step"] for line in metrics.read(tmp_path)] == list(range(1, 25))
+
+
+CHILD = """
+import sys; sys.path.insert(0, {tests!r})
+from test_train import QUICK, SMALL, train
+train({dataset!r}, {run!r}, QUICK, SMALL, lambda p: print(p.step, flush=True))
+"""
+
+
+def test_killed_at_random_moments_it_ends_with_the_same_bits(
+    uninterrupted: Path, dataset: Path, tmp_path: Path
+) -> None:
+    rng = np.random.default_rng(0)
+    run = tmp_path / "run"
+    script = CHILD.format(tests=str(Path(__file__).parent), dataset=str(dataset), run=str(run))
+    for _ in range(4):
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        assert child.stdout is not None
+        for _ in range(int(rng.integers(2, 6))):  # a few steps, then somewhere within one
+            child.stdout.readline()
+        time.sleep(rng.uniform(0, 0.05))
+        child.send_signal(signal.SIGKILL)
+        child.wait()
+        child.stdout.close()
+    subprocess.run([sys.executable, "-c", script], check=True, stdout=subprocess.DEVNULL)
+    assert_same_bits(run, uninterrupted)
+    assert [p.name for p in run.rglob("*.tmp-*")] == []
+
+
+def test_a_run_goes_on_only_with_the_same_settings(uninterrupted: Path, dataset: Path) -> None:
+    other = TrainConfig(**{**vars(QUICK), "seed": 1})
+    with pytest.raises(CheckpointError, match=r"train\.seed = 0, not 1"):
+        train(dataset, uninterrupted, other, SMALL)
+
+
+def test_a_damaged_training_state_is_named(dataset: Path, tmp_path: Path) -> None:
+    train(dataset, tmp_path, TrainConfig(**{**vars(QUICK), "steps": 2}), SMALL)
+    state = tmp_path / "train_state" / "00000002.safetensors"
+    state.write_bytes(state.read_bytes()[:500])
+    with pytest.raises(CheckpointError, match=r"00000002\.safetensors is damaged"):
+        train(dataset, tmp_path, TrainConfig(**{**vars(QUICK), "steps": 2}), SMALL)
+
+
+def test_a_loss_that_is_not_finite_stops_the_run(dataset: Path, tmp_path: Path) -> None:
+    wild = TrainConfig(**{**vars(QUICK), "rate": RateConfig(first=1e30, warm_up=0)})
+    with pytest.raises(TrainingError, match="no longer finite"):
+        train(dataset, tmp_path, wild, SMALL)
+    assert all(np.isfinite(v).all() for v in load_file(tmp_path / "model.safetensors").values())
+
+
+def test_data_that_was_not_curated_is_an_error(tmp_path: Path) -> None:
+    store = EpisodeStore.create(tmp_path / "data", "square", ("front", "wrist"), {})
+    store.write(make_episode(0))
+    with pytest.raises(DatasetError, match="curate it first"):
+        train(store.path, tmp_path / "run")
+
+
+def test_a_budget_of_minutes_is_kept(dataset: Path, tmp_path: Path) -> None:
+    config = TrainConfig(**{**vars(QUICK), "steps": None, "minutes": 0.08})
+    start = time.perf_counter()
+    train(dataset, tmp_path, config, SMALL)
+    assert 2.4 < time.perf_counter() - start < 9.6  # of 4.8 s, on a machine that others use too
+    assert metrics.read(tmp_path)[-1]["steps"] == metrics.read(tmp_path)[-1]["step"]
+
+
+@given(steps=st.integers(2, 1000), left=st.floats(1, 100), pace=st.floats(0.01, 1), data=st.data())
+def test_progress_never_jumps_and_ends_at_one(steps: int, left: float, pace: float, data: st.DataObject) -> None:
+    step = data.draw(st.integers(0, steps - 1))
+    plan = StepPlan(steps)
+    revised = plan.revised(step, left, pace)
+    assert revised.at(step) == pytest.approx(plan.at(step))
+    assert revised.at(revised.steps) == 1
+    rates = [RateConfig(warm_up=0).at(s, revised.at(s)) for s in range(step, revised.steps + 1)]
+    assert all(b <= a for a, b in zip(rates, rates[1:], strict=False))
+    assert rates[-1] == pytest.approx(1e-4)
+
+
+def test_the_gradient_of_threads_is_that_of_autograd(dataset: Path) -> None:
+    """Shards are means of equal size, so their mean is the gradient of the mean of their losses."""
+    from optimus.data.windows import WindowConfig, Windows
+    from optimus.learn.gradient import batch_loss
+    from optimus.learn.policy import PolicyInputs
+    from optimus.learn.train import fresh_policy
+
+    windows = Windows(EpisodeStore.open(dataset), range(4), WindowConfig(crop=60))
+    policy = fresh_policy(SMALL, PolicyInputs.of("square", windows), 0)
+    workers = GradientWorkers(policy, windows, LossConfig(runs=4), Runtime(2, False), seed=5)
+    _, gradient = workers.gradient(3)
+    workers.close()
+    losses = []
+    for shard in range(2):
+        batch = windows.sample(np.random.default_rng([5, 3, shard]), 2)
+        noise = torch.Generator().manual_seed(int(np.random.SeedSequence([5, 3, shard]).generate_state(1)[0]))
+        losses.append(batch_loss(policy, batch, LossConfig(runs=4), noise, False)[0])
+    (sum(losses) / 2).backward()
+    for parameter, part in zip(policy.parameters(), gradient, strict=True):
+        expected = torch.zeros_like(parameter) if parameter.grad is None else parameter.grad
+        torch.testing.assert_close(part, expected, atol=1e-5, rtol=1e-4)
+
+
+def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
+    """Only the image says where to go: the answer before any training is off by half the area's side."""
+    dataset = make_dataset(tmp_path / "data", 60, 16).path
+    curate(dataset)
+    config = TrainConfig(
+        steps=160,
+        loss=LossConfig(runs=12, location_weight=1.0),
+        evaluations=1,
+        held_out_runs=60,
+        runtime=Runtime(len(os.sched_getaffinity(0)), half=False),
+    )
+    train(dataset, tmp_path / "run", config)
+    last = metrics.read(tmp_path / "run")[-1]
+    assert last["held_out_location_error_mm"] < 15
+    assert last["held_out_action_error_mm"] < 15
+    assert last["held_out_gripper_right"] > 0.8
+    assert math.isfinite(last["held_out_likelihood"])
