@@ -52,6 +52,8 @@ class Collected:
     cpu_seconds: dict[str, float]
     new: int
     """Demonstrations added by this run."""
+    plan_seconds: list[float]
+    """CPU time of each attempt's planning, in the order of their ends."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +110,7 @@ def collect(config: CollectConfig, progress: Callable[[int], None] = lambda done
     pending: set[Future[_Outcome]] = set()
     seeds = _unattempted(store, config.seed)
     cpu: Counter[str] = Counter()
+    plan_seconds: list[float] = []
     progress(successes)
     with executor(config.workers or available_cores()) as pool:
         try:
@@ -120,11 +123,13 @@ def collect(config: CollectConfig, progress: Callable[[int], None] = lambda done
                     successes += outcome.success
                     failures += not outcome.success
                     cpu.update(outcome.cpu)
+                    plan_seconds.append(outcome.cpu["planning"])
                 progress(successes)
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
     reasons = Counter(store.read_failure(seed)["reason"] for seed in store.failed_seeds)
-    return Collected(successes, successes + failures, dict(reasons), time.perf_counter() - began, dict(cpu), successes - len(had))
+    seconds, new = time.perf_counter() - began, successes - len(had)
+    return Collected(successes, successes + failures, dict(reasons), seconds, dict(cpu), new, plan_seconds)
 
 
 def _unattempted(store: EpisodeStore, first: int) -> Iterator[int]:

@@ -198,10 +198,20 @@ def evaluate(
     return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))))
 
 
+@dataclass(frozen=True)
+class FilmedEpisode:
+    """An episode to look at."""
+
+    caption: str
+    video: Path
+    strip: Path
+    success: bool
+
+
 def film_outcomes(
     run: Path, starts: Sequence[Start], report: dict[str, Any], seed: int, component: Component, folder: Path, each: int = 3
-) -> list[tuple[str, Path, Path]]:
-    """Films of the first few successes and failures: `(caption, MP4, PNG strip)`. The episodes are played again: they are
+) -> list[FilmedEpisode]:
+    """Films (MP4, and a PNG strip) of the first few successes and failures. The episodes are played again: they are
     functions of their seeds."""
     films = []
     for success in (True, False):
@@ -209,9 +219,10 @@ def film_outcomes(
         for i in chosen:
             outcome, film = report["outcomes"][i], Film()
             play(run, starts[i], seed + i, component, film)
-            name = f"{'success' if success else 'failure'}-{outcome['seed']}"
-            film.write(folder / f"{name}.mp4")
-            write_whole(folder / f"{name}.png", png(film.strip()))
-            caption = f"seed {outcome['seed']} {outcome['variant']}: " + ("success" if success else outcome["cause"])
-            films.append((caption, folder / f"{name}.mp4", folder / f"{name}.png"))
+            path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
+            film.write(path)
+            write_whole(path.with_suffix(".png"), png(film.strip()))
+            named = f"seed {outcome['seed']} {outcome['variant']}".strip()
+            caption = f"{named}: {'success' if success else outcome['cause']}"
+            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success))
     return films

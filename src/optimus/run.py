@@ -16,15 +16,15 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from optimus.collect import CollectConfig, collect
+from optimus.collect import CollectConfig, Collected, collect
 from optimus.data.atomic import make_folder, write_json
 from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore, installed_versions
 from optimus.errors import DatasetError
-from optimus.evaluate import evaluate, film_outcomes, validation_starts
+from optimus.evaluate import FilmedEpisode, evaluate, film_outcomes, validation_starts
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
-from optimus.summary import summarise
+from optimus.summary import RunRecord, summarise
 from optimus.tasks import task as task_named
 
 DEMONSTRATIONS_PER_MINUTE = 28
@@ -100,14 +100,15 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     task_named(config.task)
     journal = _Journal(config)
     data, policy = config.out / "data", config.out / "policy"
-    _timed(journal, "collect", lambda: _collect(config, data, progress))
+    collected = _timed(journal, "collect", lambda: _collect(config, data, progress))
+    journal.value.setdefault("plan_seconds", []).extend(collected.plan_seconds)
     curation = _timed(journal, "curate", lambda: curate(data))
     minutes = journal.settled("train_minutes", lambda: _minutes_left(config, journal))
     _timed(journal, "train", lambda: _train(config, data, policy, minutes, progress))
     report = _timed(journal, "evaluate", lambda: _evaluate(config, data, policy, progress))
     page = config.out / "report.html"
     films = _timed(journal, "films", lambda: _films(config, data, policy, report))
-    write_report(summarise(journal.value, EpisodeStore.open(data), curation, policy, report, films), page)
+    write_report(summarise(RunRecord(journal.value, EpisodeStore.open(data), curation, policy, report, films)), page)
     return {
         "task": config.task,
         "demonstrations": len(curation.kept) + len(curation.dropped),
@@ -129,9 +130,9 @@ def _minutes_left(config: RunConfig, journal: _Journal) -> float:
     return max(0.5, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
 
 
-def _collect(config: RunConfig, data: Path, progress: StageProgress) -> None:
+def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collected:
     wanted = CollectConfig(config.task, data, config.wanted, config.seed, config.workers)
-    collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
+    return collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
 
 
 def _train(config: RunConfig, data: Path, policy: Path, minutes: float, progress: StageProgress) -> None:
@@ -156,7 +157,7 @@ def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgre
     return report
 
 
-def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[tuple[str, Path, Path]]:
+def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[FilmedEpisode]:
     starts = validation_starts(data, config.episodes)
     return film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films")
 

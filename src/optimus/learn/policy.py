@@ -78,7 +78,9 @@ class Policy(nn.Module):
         self.encoders = nn.ModuleDict({camera: Encoder(config.encoder) for camera in inputs.cameras})
         low = sum(_width(name, n) for name, n in inputs.proprioception.items())
         seen = config.encoder.features * len(inputs.cameras) + low
-        self.embed = nn.Linear(seen, config.trunk.width)
+        # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
+        # too, but small among them, and took the trunk many times as many steps to find there.
+        self.embed = nn.Linear(seen + 3 * inputs.objects, config.trunk.width)
         self.trunk = Transformer(config.trunk, config.context)
         self.head = MixtureHead(config.head, config.trunk.width, ACTION_DIM)
         self.locate = nn.Linear(seen, 3 * inputs.objects)
@@ -125,7 +127,7 @@ class Policy(nn.Module):
 
     def tokens(self, frames: Tensor) -> Tensor:
         """Frame features `(..., m)` to tokens `(..., width)`."""
-        return self.embed(frames)
+        return self.embed(torch.cat([frames, self.located(frames).detach().clamp(-5, 5)], -1))
 
     def features(self, tokens: Tensor, noise: torch.Generator | None = None) -> Tensor:
         """Tokens `(B, C, width)` of windows to features of each position `(B, C, width)`."""
