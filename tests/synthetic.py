@@ -16,9 +16,7 @@ CAMERAS = ("front", "wrist")
 REACH = 0.2  # [m] half the side of the area that the square moves in
 
 
-def square_image(
-    place: NDArray[np.floating[Any]], rng: np.random.Generator, size: int = 10
-) -> NDArray[np.uint8]:
+def square_image(place: NDArray[np.floating[Any]], rng: np.random.Generator, size: int = 10) -> NDArray[np.uint8]:
     """A red square at `place` `(2,)` [m] in the area, on grey noise."""
     image = rng.integers(90, 120, size=(IMAGE_SIZE, IMAGE_SIZE, 3), dtype=np.uint8)
     row, column = np.round((place / REACH + 1) / 2 * (IMAGE_SIZE - 12 - size) + 6).astype(int)
@@ -65,9 +63,7 @@ def make_episode(
     return Episode(**{**values, **changes})
 
 
-def make_dataset(
-    path: Path, episodes: int = 8, steps: int = 20, config: dict[str, Any] | None = None
-) -> EpisodeStore:
+def make_dataset(path: Path, episodes: int = 8, steps: int = 20, config: dict[str, Any] | None = None) -> EpisodeStore:
     """A curated dataset of such episodes."""
     store = EpisodeStore.create(path, "square", CAMERAS, config or {"position_scale": 1.0})
     for seed in range(episodes):

@@ -13,7 +13,6 @@ import pytest
 import torch
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic import CAMERAS, make_dataset, make_episode
 
 from optimus.data.episode import Episode
 from optimus.data.windows import WindowConfig, Windows
@@ -26,6 +25,7 @@ from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.train import fresh_policy
 from optimus.learn.trunk import Transformer, TransformerConfig, dropout
+from synthetic import CAMERAS, make_dataset, make_episode
 
 PROPRIOCEPTION = {"robot0_eef_pos": 3, "robot0_eef_quat": 4, "robot0_gripper_qpos": 2, "robot0_target_error": 6}
 INPUTS = PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1)
@@ -81,14 +81,11 @@ def test_a_mixture_integrates_to_one() -> None:
 def test_the_loss_has_the_gradient_of_finite_differences(seed: int) -> None:
     generator = torch.Generator().manual_seed(seed)
     mean, logits, spread, actions = (
-        torch.randn(shape, generator=generator, dtype=torch.float64)
-        for shape in ((2, 5, 7), (2, 5), (2, 5, 7), (2, 7))
+        torch.randn(shape, generator=generator, dtype=torch.float64) for shape in ((2, 5, 7), (2, 5), (2, 5, 7), (2, 7))
     )
     weight = torch.ones(7, dtype=torch.float64)
     inputs = [x.requires_grad_() for x in (logits, mean, spread)]
-    assert torch.autograd.gradcheck(
-        lambda a, b, c: Mixture(a, b, c.exp() + 0.03).log_density(actions, weight), inputs
-    )
+    assert torch.autograd.gradcheck(lambda a, b, c: Mixture(a, b, c.exp() + 0.03).log_density(actions, weight), inputs)
 
 
 def test_components_are_sampled_by_weight() -> None:

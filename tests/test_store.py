@@ -33,9 +33,7 @@ def store(tmp_path: Path) -> EpisodeStore:
     seed=st.integers(0, 10**9),
     steps=st.integers(1, 6),
     skeleton=st.lists(st.sampled_from(["pick", "place", "stack"])),
-    info=st.dictionaries(
-        st.text(max_size=5), st.none() | st.booleans() | st.integers() | st.text(max_size=5)
-    ),
+    info=st.dictionaries(st.text(max_size=5), st.none() | st.booleans() | st.integers() | st.text(max_size=5)),
 )
 def test_an_episode_reads_back_as_it_was_written(
     tmp_path_factory: pytest.TempPathFactory, seed: int, steps: int, skeleton: list[str], info: dict[str, Any]
@@ -148,9 +146,7 @@ def test_a_folder_that_cannot_be_made_is_an_error_of_storage(tmp_path: Path) -> 
 
 
 def test_leftovers_of_dead_processes_only_are_removed(store: EpisodeStore) -> None:
-    gone = subprocess.run(
-        [sys.executable, "-c", "import os; print(os.getpid())"], capture_output=True, check=True
-    )
+    gone = subprocess.run([sys.executable, "-c", "import os; print(os.getpid())"], capture_output=True, check=True)
     dead = store.path / "episodes" / f"00000009.safetensors.tmp-{int(gone.stdout)}"
     alive = store.path / "episodes" / f"00000010.safetensors.tmp-{os.getpid()}"
     dead.write_bytes(b"half")

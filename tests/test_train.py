@@ -16,19 +16,20 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 from safetensors.numpy import load_file
-from synthetic import make_dataset, make_episode
 
-from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
+from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError, DatasetError
 from optimus.learn import metrics
 from optimus.learn.checkpoint import load
 from optimus.learn.encoder import EncoderConfig
-from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime
-from optimus.learn.policy import PolicyConfig
+from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, batch_loss
+from optimus.learn.policy import PolicyConfig, PolicyInputs
 from optimus.learn.schedule import RateConfig, StepPlan
-from optimus.learn.train import Progress, TrainConfig, TrainingError, train
+from optimus.learn.state import OptimiserConfig
+from optimus.learn.train import Progress, TrainConfig, TrainingError, fresh_policy, train
 from optimus.learn.trunk import TransformerConfig
+from synthetic import make_dataset, make_episode
 
 SMALL = PolicyConfig(
     crop=60,
@@ -192,11 +193,6 @@ def test_progress_never_jumps_and_ends_at_one(steps: int, left: float, pace: flo
 
 def test_the_gradient_of_threads_is_that_of_autograd(dataset: Path) -> None:
     """Shards are means of equal size, so their mean is the gradient of the mean of their losses."""
-    from optimus.data.windows import WindowConfig, Windows
-    from optimus.learn.gradient import batch_loss
-    from optimus.learn.policy import PolicyInputs
-    from optimus.learn.train import fresh_policy
-
     windows = Windows(EpisodeStore.open(dataset), range(4), WindowConfig(crop=60))
     policy = fresh_policy(SMALL, PolicyInputs.of("square", windows), 0)
     workers = GradientWorkers(policy, windows, LossConfig(runs=4), Runtime(2, False), seed=5)
@@ -214,19 +210,19 @@ def test_the_gradient_of_threads_is_that_of_autograd(dataset: Path) -> None:
 
 
 def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
-    """Only the image says where to go: the answer before any training is off by half the area's side."""
-    dataset = make_dataset(tmp_path / "data", 60, 16).path
-    curate(dataset)
+    """Only the image says where to go: an answer that ignores it is off by some 45 mm."""
+    dataset = make_dataset(tmp_path / "data", 100, 16).path
     config = TrainConfig(
         steps=160,
         loss=LossConfig(runs=12, location_weight=1.0),
         evaluations=1,
         held_out_runs=60,
+        optimiser=OptimiserConfig(average=0.97),
         runtime=Runtime(len(os.sched_getaffinity(0)), half=False),
     )
     train(dataset, tmp_path / "run", config)
     last = metrics.read(tmp_path / "run")[-1]
-    assert last["held_out_location_error_mm"] < 15
+    assert last["held_out_location_error_mm"] < 20
     assert last["held_out_action_error_mm"] < 15
     assert last["held_out_gripper_right"] > 0.8
     assert math.isfinite(last["held_out_likelihood"])

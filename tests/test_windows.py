@@ -40,9 +40,7 @@ def test_a_run_is_consecutive_frames_of_one_episode(
     episode = make_episode(seed, LENGTHS[seed], cameras=("front",))
     frames = np.arange(end - cut.config.frames + 1, end + 1)
     inside = np.maximum(frames, 0)
-    np.testing.assert_array_equal(
-        batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80]
-    )
+    np.testing.assert_array_equal(batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80])
     np.testing.assert_array_equal(
         batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside]
     )

@@ -138,9 +138,7 @@ def read_header(path: Path) -> EpisodeHeader:
 
 
 def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
-    return ArraySlot(
-        np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0]
-    )
+    return ArraySlot(np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0])
 
 
 def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:

@@ -47,9 +47,7 @@ class EpisodeStore:
         self.versions: dict[str, str] = description.get("versions", {})
 
     @classmethod
-    def create(
-        cls, path: Path | str, task: str, cameras: Iterable[str], config: Mapping[str, Any]
-    ) -> EpisodeStore:
+    def create(cls, path: Path | str, task: str, cameras: Iterable[str], config: Mapping[str, Any]) -> EpisodeStore:
         """A new dataset, or the one that is there if it was made for the same task with the same settings."""
         path = Path(path)
         wanted = {"task": task, "cameras": list(cameras), "config": json.loads(json.dumps(dict(config)))}
@@ -102,9 +100,7 @@ class EpisodeStore:
                 f"an episode of {episode.task!r} does not belong in {self.path}, a dataset of {self.task!r}"
             )
         if episode.cameras != self.cameras:
-            raise DatasetError(
-                f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}"
-            )
+            raise DatasetError(f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}")
         path = self.episode_path(episode.seed)
         write_whole(path, episode_bytes(episode, path))
 
@@ -165,16 +161,12 @@ def _package_version() -> str:
 def _read_description(path: Path) -> dict[str, Any]:
     file = path / "dataset.json"
     if not file.exists():
-        raise DatasetError(
-            f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one"
-        )
+        raise DatasetError(f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one")
     value = _read_json(file)
     if not isinstance(value, dict) or value.get("format") != DATASET_FORMAT:
         raise DatasetError(f"{file} does not describe a dataset of this program; name another folder")
     if value.get("version") != VERSION or not {"task", "cameras", "config"} <= value.keys():
-        raise DatasetError(
-            f"{file} has version {value.get('version')!r}; this program reads version {VERSION}"
-        )
+        raise DatasetError(f"{file} has version {value.get('version')!r}; this program reads version {VERSION}")
     return value
 
 

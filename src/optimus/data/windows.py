@@ -121,9 +121,7 @@ class Windows:
         indices = rng.integers(len(self), size=runs)
         return self.batch(indices, rng)
 
-    def batch(
-        self, indices: NDArray[np.integer[Any]] | Sequence[int], rng: np.random.Generator | None = None
-    ) -> Batch:
+    def batch(self, indices: NDArray[np.integer[Any]] | Sequence[int], rng: np.random.Generator | None = None) -> Batch:
         """The runs of these indices; cropped in the centre if there is no `rng`."""
         places = [self._place(int(i)) for i in indices]
         side = self.config.crop
@@ -131,9 +129,7 @@ class Windows:
         for camera in self.cameras:
             room = np.asarray(self._tracks[0].images[camera].shape[1:3]) - side
             offsets = (
-                np.tile(room // 2, (len(places), 1))
-                if rng is None
-                else rng.integers(room + 1, size=(len(places), 2))
+                np.tile(room // 2, (len(places), 1)) if rng is None else rng.integers(room + 1, size=(len(places), 2))
             )
             out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
             for run, (track, frames), (top, left) in zip(out, places, offsets, strict=True):
@@ -174,9 +170,7 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
     for camera in cameras:
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
-            raise DatasetError(
-                f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}"
-            )
+            raise DatasetError(f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}")
         images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
     names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]
     low = {name: header.read(OBSERVATION_PREFIX + name) for name in names}

@@ -45,9 +45,7 @@ def read_config(run: Path) -> dict[str, Any]:
     if not isinstance(config, dict) or config.get("format") != RUN_FORMAT:
         raise CheckpointError(f"{file} does not describe a training run of this program; name another folder")
     if config.get("version") != VERSION:
-        raise CheckpointError(
-            f"{file} has version {config.get('version')!r}; this program reads version {VERSION}"
-        )
+        raise CheckpointError(f"{file} has version {config.get('version')!r}; this program reads version {VERSION}")
     return config
 
 
@@ -65,15 +63,11 @@ def load(run: Path | str, task: str | None = None) -> Policy:
     config = read_config(run)
     trained_for = config.get("inputs", {}).get("task")
     if task is not None and task != trained_for:
-        raise CheckpointError(
-            f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}"
-        )
+        raise CheckpointError(f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}")
     try:
         policy = Policy.from_description(config)
     except (KeyError, TypeError, ValueError) as error:
-        raise CheckpointError(
-            f"{run / CONFIG_FILE} does not describe a policy ({error}); train again"
-        ) from error
+        raise CheckpointError(f"{run / CONFIG_FILE} does not describe a policy ({error}); train again") from error
     load_weights(policy, read_tensors(run / MODEL_FILE), run / MODEL_FILE)
     return policy.eval()
 
@@ -83,9 +77,7 @@ def read_tensors(file: Path) -> dict[str, Tensor]:
     try:
         return parse(file.read_bytes())
     except FileNotFoundError as error:
-        raise CheckpointError(
-            f"{file} is missing: training has not reached its first checkpoint; train on"
-        ) from error
+        raise CheckpointError(f"{file} is missing: training has not reached its first checkpoint; train on") from error
     except (OSError, SafetensorError) as error:
         raise CheckpointError(f"{file} is damaged ({error}); train again or name another run") from error
 

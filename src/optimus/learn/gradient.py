@@ -40,7 +40,7 @@ class LossConfig:
     """Runs of consecutive windows in a batch."""
     supervise: Literal["all", "last"] = "all"
     """Learn the actions at all frames of a window (contexts of 1 to 8 frames) or only that at its last."""
-    location_weight: float = 0.0
+    location_weight: float = 1.0
     """Weight of the auxiliary error of the objects' positions, decoded from single frames."""
 
     def labels(self, cut: WindowConfig) -> int:
@@ -64,9 +64,7 @@ class GradientWorkers:
     operations do not scale, and the GIL is free while they run.
     """
 
-    def __init__(
-        self, policy: Policy, windows: Windows, config: LossConfig, runtime: Runtime, seed: int
-    ) -> None:
+    def __init__(self, policy: Policy, windows: Windows, config: LossConfig, runtime: Runtime, seed: int) -> None:
         self.policy, self.windows, self.config, self.runtime, self.seed = (
             policy,
             windows,

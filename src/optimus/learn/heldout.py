@@ -16,9 +16,7 @@ _RUNS_AT_ONCE = 32
 
 
 @torch.inference_mode()
-def held_out(
-    policy: Policy, windows: Windows, runs: int, position_scale: float | None = None
-) -> dict[str, float]:
+def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float | None = None) -> dict[str, float]:
     """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
 
     `action_error`: mean distance in position, in units of the action; `action_error_mm`: the same [mm] if the
@@ -27,9 +25,7 @@ def held_out(
     the policy was taught it.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
-    rows = [
-        _errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))
-    ]
+    rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]
     mean = {name: float(torch.cat([row[name] for row in rows]).mean()) for name in rows[0]}
     if position_scale is not None:
         mean["action_error_mm"] = 1000 * position_scale * mean["action_error"]

@@ -96,9 +96,7 @@ class Policy(nn.Module):
         objects = torch.from_numpy(windows.objects).flatten(1).double()
         for name, values in (("low", low), ("objects", objects)):
             getattr(self, f"{name}_mean").copy_(values.mean(0))
-            getattr(self, f"{name}_deviation").copy_(
-                values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION)
-            )
+            getattr(self, f"{name}_deviation").copy_(values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION))
         # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9
         # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)

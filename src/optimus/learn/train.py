@@ -237,7 +237,5 @@ def _flat(value: Any, prefix: str = "") -> dict[str, Any]:
     if not isinstance(value, dict) or not value:
         return {prefix: value}
     return {
-        k: v
-        for name, part in value.items()
-        for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()
+        k: v for name, part in value.items() for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()
     }
