@@ -50,7 +50,7 @@ def test_killed_and_restarted_it_ends_with_what_was_asked_for(tmp_path: Path) ->
     assert kills > 0
     store = EpisodeStore.open(folder)
     assert len(store.seeds) == 6
-    assert not [p for p in folder.rglob(".tmp-*")]
+    assert not list(folder.rglob(".tmp-*"))
     for seed in store.seeds:
         episode = store.read(seed)
         assert episode.success and len(episode) == len(load_file(store.episode_path(seed))["actions"])

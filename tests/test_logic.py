@@ -1,7 +1,7 @@
 """The skeleton search, against breadth-first search and on puzzles whose answer is known."""
 
 from collections import deque
-from itertools import islice
+from itertools import islice, pairwise
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -57,7 +57,7 @@ def shortest(facts: Facts, goal: Facts, operators: tuple[Operator, ...]) -> int:
 def test_first_skeleton_is_shortest(start: list[str], end: list[str], cut: int) -> None:
     operators = blocks_world("abcd")
     facts = world([s for s in ("".join(start[:cut]), "".join(start[cut:])) if s])
-    goal = frozenset(atom("on", b, a) for a, b in zip(end, end[1:], strict=False))
+    goal = frozenset(atom("on", b, a) for a, b in pairwise(end))
     first = next(skeletons(facts, goal, operators))
     assert len(first) == shortest(facts, goal, operators)
     for operator in first:

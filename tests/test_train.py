@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -187,7 +188,7 @@ def test_progress_never_jumps_and_ends_at_one(steps: int, left: float, pace: flo
     assert revised.at(step) == pytest.approx(plan.at(step))
     assert revised.at(revised.steps) == 1
     rates = [RateConfig(warm_up=0).at(s, revised.at(s)) for s in range(step, revised.steps + 1)]
-    assert all(b <= a for a, b in zip(rates, rates[1:], strict=False))
+    assert all(b <= a for a, b in pairwise(rates))
     assert rates[-1] == pytest.approx(1e-4)
 
 
@@ -198,31 +199,32 @@ def test_the_gradient_of_threads_is_that_of_autograd(dataset: Path) -> None:
     workers = GradientWorkers(policy, windows, LossConfig(runs=4), Runtime(2, False), seed=5)
     _, gradient = workers.gradient(3)
     workers.close()
-    losses = []
+    total = torch.zeros(())
     for shard in range(2):
         batch = windows.sample(np.random.default_rng([5, 3, shard]), 2)
         noise = torch.Generator().manual_seed(int(np.random.SeedSequence([5, 3, shard]).generate_state(1)[0]))
-        losses.append(batch_loss(policy, batch, LossConfig(runs=4), noise, False)[0])
-    (sum(losses) / 2).backward()
+        likelihood, location = batch_loss(policy, batch, LossConfig(runs=4), noise, False)
+        total = total + (likelihood + location) / 2
+    total.backward()
     for parameter, part in zip(policy.parameters(), gradient, strict=True):
         expected = torch.zeros_like(parameter) if parameter.grad is None else parameter.grad
         torch.testing.assert_close(part, expected, atol=1e-5, rtol=1e-4)
 
 
 def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
-    """Only the image says where to go: an answer that ignores it is off by some 45 mm."""
-    dataset = make_dataset(tmp_path / "data", 100, 16).path
+    """Only the image says where to go: an answer that ignores it is off by some 100 mm."""
+    dataset = make_dataset(tmp_path / "data", 500, 3).path
     config = TrainConfig(
-        steps=160,
-        loss=LossConfig(runs=12, location_weight=1.0),
+        steps=150,
+        loss=LossConfig(runs=64),
         evaluations=1,
         held_out_runs=60,
-        optimiser=OptimiserConfig(average=0.97),
+        optimiser=OptimiserConfig(average=0.95),
         runtime=Runtime(len(os.sched_getaffinity(0)), half=False),
     )
-    train(dataset, tmp_path / "run", config)
+    train(dataset, tmp_path / "run", config, PolicyConfig(context=2))
     last = metrics.read(tmp_path / "run")[-1]
     assert last["held_out_location_error_mm"] < 20
-    assert last["held_out_action_error_mm"] < 15
-    assert last["held_out_gripper_right"] > 0.8
+    assert last["held_out_action_error_mm"] < 20
+    assert last["held_out_gripper_right"] > 0.9
     assert math.isfinite(last["held_out_likelihood"])

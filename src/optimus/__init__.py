@@ -5,12 +5,12 @@ import sys
 
 __version__ = "0.1.0"
 
-# MuJoCo chooses its GL library when it is first imported, so this cannot wait. Off-screen EGL wherever there may be no display; one
+# MuJoCo chooses its GL library when it is first imported, so this cannot wait. Off-screen EGL where there may be no display; one
 # software-rendering thread a process, since rollouts are parallel across processes (docs/performance.md).
 if sys.platform == "linux":
     os.environ.setdefault("MUJOCO_GL", "egl")
     os.environ.setdefault("LP_NUM_THREADS", "1")
 
-from optimus.registration import register  # noqa: E402 - after the choice of the GL library
+from optimus.registration import register
 
 register()

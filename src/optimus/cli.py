@@ -25,7 +25,7 @@ def _say(result: dict[str, Any], json: bool, text: str) -> None:
 
 
 @contextmanager
-def _bar(total: int | None, what: str, unit: str):  # noqa: ANN202 - a tqdm bar
+def _bar(total: int | None, what: str, unit: str):
     with tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5) as bar:
         yield bar
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections import Counter
+from collections import defaultdict
 from functools import lru_cache
 from typing import Any
 
@@ -42,11 +42,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     ) -> None:
         self.task, self.images, self.render_mode = task, images, render_mode
         self._osc = osc
-        self.cpu: Counter[str] = Counter()
+        self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (ACTION_DIM,), np.float32)
         self._start(task.problem(0), 0)
-        self.observation_space = gymnasium.spaces.Dict(self._spaces())
+        self.observation_space = gymnasium.spaces.Dict(self._spaces())  # pyright: ignore[reportAttributeAccessIssue]
 
     def _spaces(self) -> dict[str, gymnasium.Space[Any]]:
         spaces: dict[str, gymnasium.Space[Any]] = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,7 @@ class _Path:
 
     def __init__(self, segment: Segment) -> None:
         self.poses = segment.poses
-        steps = [distance(a, b) for a, b in zip(self.poses, self.poses[1:], strict=False)]
+        steps = [distance(a, b) for a, b in pairwise(self.poses)]
         self.at = np.concatenate([[0.0], np.cumsum(steps)])
         self.length = float(self.at[-1])
 

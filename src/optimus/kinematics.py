@@ -87,6 +87,6 @@ class Kinematics:
         matrix[:3, :3], matrix[:3, 3] = flange.matrix, flange.pos
         found = []
         for q7 in np.linspace(self.low[6], self.high[6], 24):
-            rows = frankik.ik_full(matrix, self.home, float(q7), False)
+            rows = frankik.ik_full(matrix, self.home, float(q7), False)  # pyright: ignore[reportArgumentType]
             found += [row for row in rows if np.isfinite(row).all() and self.within_limits(row)]
         return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count, product
 from typing import Any
@@ -71,7 +71,7 @@ def applicable(operator: Operator, facts: Facts) -> bool:
     return operator.needs <= facts and not any(f.predicate == OBSTRUCTS and f.args[1:] == key for f in facts)
 
 
-def ground(kinds: dict[str, Iterable[str]], parameters: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+def ground(kinds: Mapping[str, Iterable[str]], parameters: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     """Every tuple of distinct names that fits the parameter kinds."""
     for names in product(*(tuple(kinds[kind]) for kind in parameters)):
         if len(set(names)) == len(names):
@@ -108,7 +108,7 @@ def skeletons(
 
 
 def evaluate(
-    predicates: Iterable[Predicate], kinds: dict[str, Iterable[str]], scene: Any, state: Any
+    predicates: Iterable[Predicate], kinds: Mapping[str, Iterable[str]], scene: Any, state: Any
 ) -> Facts:
     """Every atom of `predicates` that holds in `state`."""
     return frozenset(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +21,7 @@ class Rig:
         self.world = world
         try:
             self._renderer = mujoco.Renderer(world.model, height, width or height)
-        except (mujoco.FatalError, ImportError, RuntimeError, AttributeError) as error:
+        except (mujoco.FatalError, ImportError, RuntimeError, AttributeError) as error:  # pyright: ignore[reportAttributeAccessIssue]
             remedy = "install Mesa's EGL (Debian: libegl1 libgl1-mesa-dri) or set MUJOCO_GL to a library you have"
             raise ModelError(f"no GL library for off-screen rendering: {error}; {remedy}") from error
         self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
@@ -49,7 +51,7 @@ class Rig:
 
     def _draw(self, points: Array, colour: Rgba, radius: float = 0.0035) -> None:
         scene = self._renderer.scene
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             if scene.ngeom >= scene.maxgeom:
                 return
             geom = scene.geoms[scene.ngeom]

@@ -70,7 +70,7 @@ def rollout(
     """
     log = Log([], [], [], [])
     start = env.snapshot()
-    success, truncated, idle, info = False, False, 0, {}
+    success, truncated, idle = False, False, 0
     still = np.zeros(7, np.float32)
     while not (success or truncated or idle >= LAST_LOOK):
         watch(env)
@@ -85,7 +85,7 @@ def rollout(
         log.actions.append(label)
         log.executed.append(done)
         log.objects.append(env.object_positions())
-        observation, _, success, truncated, info = env.step(done)
+        observation, _, success, truncated, _ = env.step(done)
     watch(env)
     return _episode(env, log, start, name, success, "" if success else failure_of(env, truncated))
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from typing import Any
+
 import numpy as np
 from ompl import base, geometric, util
 
@@ -51,11 +54,11 @@ def _rrt_connect(
         bounds.setHigh(i, float(kinematics.high[i]))
     space.setBounds(bounds)
     setup = geometric.SimpleSetup(space)
-    setup.setStateValidityChecker(lambda s: checker.check(np.array([s[i] for i in range(dof)])) is None)
+    setup.setStateValidityChecker(lambda s: checker.check(_read(s, dof)) is None)
     setup.getSpaceInformation().setStateValidityCheckingResolution(0.01)
     ends = []
     for q in (start, end):
-        state = space.allocState()
+        state: Any = space.allocState()  # indexable, though OMPL's stubs do not say so
         for i in range(dof):
             state[i] = float(q[i])
         ends.append(state)
@@ -67,7 +70,11 @@ def _rrt_connect(
     if not setup.solve(seconds) or not setup.haveExactSolutionPath():
         return None
     states = setup.getSolutionPath().getStates()
-    return np.array([[s[i] for i in range(dof)] for s in states])
+    return np.array([_read(s, dof) for s in states])
+
+
+def _read(state: Any, dof: int) -> Array:
+    return np.array([state[i] for i in range(dof)])
 
 
 def _shortcut(checker: CollisionChecker, corners: Array, rng: np.random.Generator, rounds: int = 60) -> Array:
@@ -79,5 +86,5 @@ def _shortcut(checker: CollisionChecker, corners: Array, rng: np.random.Generato
         i, j = sorted(rng.choice(len(points), 2, replace=False))
         if j - i > 1 and is_free(checker, joint_line(points[i], points[j])):
             points = points[: i + 1] + points[j:]
-    lines = [joint_line(a, b) for a, b in zip(points, points[1:], strict=False)]
+    lines = [joint_line(a, b) for a, b in pairwise(points)]
     return np.vstack([lines[0], *(line[1:] for line in lines[1:])])
