@@ -33,7 +33,7 @@ def _rig(world: World, size: int) -> Rig:
 
 class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     """One task. Actions `(7,)` in [-1, 1]: delta position and delta rotation vector of the target (base frame, scaled as
-    `optimus.control` says), then the gripper: above 0 shut, else open. The reward is 1 on strict success, which ends the episode."""
+    `optimus.control` says), then the gripper: above 0 shut, else open. The reward is 1 on strict success, the end."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
 
