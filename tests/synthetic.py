@@ -24,9 +24,7 @@ def square_image(place: NDArray[np.floating[Any]], rng: np.random.Generator, siz
     return image
 
 
-def make_episode(
-    seed: int, steps: int = 20, task: str = "square", cameras: tuple[str, ...] = CAMERAS, **changes: Any
-) -> Episode:
+def make_episode(seed: int, steps: int = 20, task: str = "square", cameras: tuple[str, ...] = CAMERAS, **changes: Any) -> Episode:
     """The hand goes to the square: the action is the way that is left, and only the image shows where to."""
     rng = np.random.default_rng(seed)
     target = rng.uniform(-REACH, REACH, size=2)

@@ -90,9 +90,7 @@ def test_the_loss_has_the_gradient_of_finite_differences(seed: int) -> None:
 
 def test_components_are_sampled_by_weight() -> None:
     share = torch.tensor([0.1, 0.6, 0.3])
-    mixture = Mixture(
-        share.log().expand(20000, 3), torch.arange(3.0)[:, None].expand(20000, 3, 1), torch.ones(20000, 3, 1)
-    )
+    mixture = Mixture(share.log().expand(20000, 3), torch.arange(3.0)[:, None].expand(20000, 3, 1), torch.ones(20000, 3, 1))
     answers = mixture.sampled(torch.Generator().manual_seed(0))[:, 0]
     counted = torch.stack([(answers == k).float().mean() for k in range(3)])
     torch.testing.assert_close(counted, share, atol=0.02, rtol=0)

@@ -124,9 +124,7 @@ train({dataset!r}, {run!r}, QUICK, SMALL, lambda p: print(p.step, flush=True))
 """
 
 
-def test_killed_at_random_moments_it_ends_with_the_same_bits(
-    uninterrupted: Path, dataset: Path, tmp_path: Path
-) -> None:
+def test_killed_at_random_moments_it_ends_with_the_same_bits(uninterrupted: Path, dataset: Path, tmp_path: Path) -> None:
     rng = np.random.default_rng(0)
     run = tmp_path / "run"
     script = CHILD.format(tests=str(Path(__file__).parent), dataset=str(dataset), run=str(run))

@@ -27,9 +27,7 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> EpisodeStore:
 
 @settings(max_examples=30, deadline=None)
 @given(context=st.integers(1, 9), windows=st.integers(1, 6), data=st.data())
-def test_a_run_is_consecutive_frames_of_one_episode(
-    store: EpisodeStore, context: int, windows: int, data: st.DataObject
-) -> None:
+def test_a_run_is_consecutive_frames_of_one_episode(store: EpisodeStore, context: int, windows: int, data: st.DataObject) -> None:
     cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows))
     index = data.draw(st.integers(0, len(cut) - 1))
     batch = cut.batch([index])
@@ -41,9 +39,7 @@ def test_a_run_is_consecutive_frames_of_one_episode(
     frames = np.arange(end - cut.config.frames + 1, end + 1)
     inside = np.maximum(frames, 0)
     np.testing.assert_array_equal(batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80])
-    np.testing.assert_array_equal(
-        batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside]
-    )
+    np.testing.assert_array_equal(batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside])
     np.testing.assert_array_equal(batch.actions[0], episode.actions[inside])
     np.testing.assert_array_equal(batch.objects[0], episode.objects[inside])
     np.testing.assert_array_equal(batch.weight[0], frames >= 0)

@@ -96,17 +96,13 @@ class EpisodeStore:
     def write(self, episode: Episode) -> None:
         """Add a successful episode, whole or not at all."""
         if episode.task != self.task:
-            raise DatasetError(
-                f"an episode of {episode.task!r} does not belong in {self.path}, a dataset of {self.task!r}"
-            )
+            raise DatasetError(f"an episode of {episode.task!r} does not belong in {self.path}, a dataset of {self.task!r}")
         if episode.cameras != self.cameras:
             raise DatasetError(f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}")
         path = self.episode_path(episode.seed)
         write_whole(path, episode_bytes(episode, path))
 
-    def write_failure(
-        self, seed: int, reason: str, skeleton: Iterable[str] = (), info: Mapping[str, Any] | None = None
-    ) -> None:
+    def write_failure(self, seed: int, reason: str, skeleton: Iterable[str] = (), info: Mapping[str, Any] | None = None) -> None:
         """Record an attempt that failed, so that it is counted and not tried again."""
         value = {"seed": seed, "reason": reason, "skeleton": list(skeleton), "info": dict(info or {})}
         write_json(self.path / "failures" / f"{seed:08d}.json", value)
@@ -122,9 +118,7 @@ class EpisodeStore:
             raise DatasetError(f"{self.path} holds no episode {seed}; it holds {_range_text(self.seeds)}")
         header = read_header(path)
         if header.task != self.task:
-            raise DatasetError(
-                f"{path} is an episode of {header.task!r}, not of {self.task!r}; move it out of the dataset"
-            )
+            raise DatasetError(f"{path} is an episode of {header.task!r}, not of {self.task!r}; move it out of the dataset")
         return header
 
     def headers(self) -> list[EpisodeHeader]:

@@ -128,9 +128,7 @@ class Windows:
         images, shifts = {}, {}
         for camera in self.cameras:
             room = np.asarray(self._tracks[0].images[camera].shape[1:3]) - side
-            offsets = (
-                np.tile(room // 2, (len(places), 1)) if rng is None else rng.integers(room + 1, size=(len(places), 2))
-            )
+            offsets = np.tile(room // 2, (len(places), 1)) if rng is None else rng.integers(room + 1, size=(len(places), 2))
             out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
             for run, (track, frames), (top, left) in zip(out, places, offsets, strict=True):
                 _copy(run, track.images[camera][:, top : top + side, left : left + side], frames)

@@ -66,9 +66,7 @@ class PolicyAgent:
                 f"the policy needs {', '.join(missing)}, the observation has {', '.join(observation)}; "
                 "use the environment it was trained in"
             )
-        images = {
-            camera: _centre(observation[camera + IMAGE_SUFFIX], self.policy.config.crop) for camera in inputs.cameras
-        }
+        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], self.policy.config.crop) for camera in inputs.cameras}
         low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
         return self.policy.tokens(self.policy.frames(images, low))
 

@@ -37,9 +37,7 @@ def read_config(run: Path) -> dict[str, Any]:
     try:
         config = json.loads(file.read_text())
     except FileNotFoundError as error:
-        raise CheckpointError(
-            f"{run} holds no trained policy (no {CONFIG_FILE}); name the folder of a training run"
-        ) from error
+        raise CheckpointError(f"{run} holds no trained policy (no {CONFIG_FILE}); name the folder of a training run") from error
     except (OSError, ValueError) as error:
         raise CheckpointError(f"cannot read {file} ({error}); train again or name another run") from error
     if not isinstance(config, dict) or config.get("format") != RUN_FORMAT:
@@ -89,9 +87,7 @@ def load_weights(policy: Policy, tensors: Mapping[str, Tensor], file: Path) -> N
         have = tuple(tensors[name].shape) if name in tensors else None
         want = tuple(own[name].shape) if name in own else None
         if have != want:
-            raise CheckpointError(
-                f"{file}: {name} has shape {have}, the policy of its {CONFIG_FILE} has {want}; train again"
-            )
+            raise CheckpointError(f"{file}: {name} has shape {have}, the policy of its {CONFIG_FILE} has {want}; train again")
         if not torch.isfinite(tensors[name]).all():
             raise CheckpointError(f"{file}: {name} holds NaN or infinity; train again")
     policy.load_state_dict(dict(tensors))

@@ -29,6 +29,8 @@ class EncoderConfig:
     kernels: tuple[int, ...] = (8, 3, 3)
     strides: tuple[int, ...] = (4, 2, 1)
     keypoints: int = 32
+    sharpness: float = 3.0
+    """Factor on the maps before their softmax: at 1 all keypoints start, and for long stay, near the centre."""
     features: int = 64
     """Size of the result for each camera."""
 
@@ -42,10 +44,14 @@ class EncoderConfig:
 class SpatialSoftmax(nn.Module):
     """Maps to the expected position of each of them, in [-1, 1] (Levine et al., 2016)."""
 
+    def __init__(self, sharpness: float = 1.0) -> None:
+        super().__init__()
+        self.sharpness = sharpness
+
     def forward(self, maps: Tensor) -> Tensor:
         """`(N, k, h, w)` to `(N, 2 k)`: all x, then all y; always in float32."""
         n, k, h, w = maps.shape
-        share = F.softmax(maps.float().reshape(n, k, h * w), dim=-1)
+        share = F.softmax(self.sharpness * maps.float().reshape(n, k, h * w), dim=-1)
         x = torch.linspace(-1, 1, w, device=maps.device).repeat(h)
         y = torch.linspace(-1, 1, h, device=maps.device).repeat_interleave(w)
         return (share @ torch.stack([x, y], 1)).transpose(1, 2).reshape(n, 2 * k)
@@ -61,7 +67,7 @@ class Encoder(nn.Module):
         for (c_in, c_out), kernel, stride in zip(channels, config.kernels, config.strides, strict=True):
             layers += [nn.Conv2d(c_in, c_out, kernel, stride, (kernel - 1) // 2), nn.ReLU(inplace=True)]
         self.trunk = nn.Sequential(*layers, nn.Conv2d(config.channels[-1], config.keypoints, 1))
-        self.keypoints = SpatialSoftmax()
+        self.keypoints = SpatialSoftmax(config.sharpness)
         self.project = nn.Linear(2 * config.keypoints, config.features)
         for module in self.modules():
             if isinstance(module, nn.Conv2d):

@@ -40,8 +40,11 @@ class LossConfig:
     """Runs of consecutive windows in a batch."""
     supervise: Literal["all", "last"] = "all"
     """Learn the actions at all frames of a window (contexts of 1 to 8 frames) or only that at its last."""
-    location_weight: float = 1.0
-    """Weight of the auxiliary error of the objects' positions, decoded from single frames."""
+    location_weight: float = 30.0
+    """Weight of the auxiliary error of the objects' positions, decoded from single frames.
+
+    The gradient of the likelihood is some hundred times as long, and clipped: at a weight of 1 this one is lost.
+    """
 
     def labels(self, cut: WindowConfig) -> int:
         """Labels in a batch, those near the start of an episode included that are left out."""
@@ -83,19 +86,14 @@ class GradientWorkers:
         """Loss and gradient at the current weights, on the batch of this step."""
         shards = self.runtime.shards
         parts = list(self._threads.map(lambda shard: self._shard(step, shard), range(shards)))
-        total = [
-            torch.stack(pieces).mean(0) if shards > 1 else pieces[0]
-            for pieces in zip(*(g for _, g in parts), strict=True)
-        ]
+        total = [torch.stack(pieces).mean(0) if shards > 1 else pieces[0] for pieces in zip(*(g for _, g in parts), strict=True)]
         likelihood, location = (float(np.mean(v)) for v in zip(*(values for values, _ in parts), strict=True))
         return StepLoss(likelihood, location), total
 
     def _shard(self, step: int, shard: int) -> tuple[tuple[float, float], tuple[Tensor, ...]]:
         runs = len(range(shard, self.config.runs, self.runtime.shards))
         batch = self.windows.sample(np.random.default_rng([self.seed, step, shard]), runs)
-        noise = torch.Generator().manual_seed(
-            int(np.random.SeedSequence([self.seed, step, shard]).generate_state(1)[0])
-        )
+        noise = torch.Generator().manual_seed(int(np.random.SeedSequence([self.seed, step, shard]).generate_state(1)[0]))
         likelihood, location = batch_loss(self.policy, batch, self.config, noise, self.runtime.half)
         loss = likelihood + self.config.location_weight * location
         gradient = torch.autograd.grad(loss, self.parameters, materialize_grads=True)

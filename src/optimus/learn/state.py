@@ -116,9 +116,7 @@ class TrainState:
             for moment in _MOMENTS:
                 value = tensors.get(f"{name}.{moment}")
                 if value is None or value.shape != parameter.shape:
-                    raise CheckpointError(
-                        f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again"
-                    )
+                    raise CheckpointError(f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again")
                 # In the layout of the parameter (channels last), as the optimiser made them.
                 values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
             if step > 0:

@@ -185,9 +185,7 @@ class _Trainer:
         taken = self.state.step - self.first_step
         if self.config.steps is None and taken > 0:
             pace = (time.perf_counter() - self.session_start) / taken
-            self.state.plan = self.state.plan.revised(
-                self.state.step, 60 * self.config.minutes - self._consumed(), pace
-            )
+            self.state.plan = self.state.plan.revised(self.state.step, 60 * self.config.minutes - self._consumed(), pace)
 
     def _settle(self, policy: Policy, about: dict[str, Any]) -> tuple[Runtime, StepPlan]:
         """Runtime and plan: those recorded in the run that is there, or measured now and recorded."""
@@ -236,6 +234,4 @@ def _require_same(run: Path, there: dict[str, Any], wanted: dict[str, Any]) -> N
 def _flat(value: Any, prefix: str = "") -> dict[str, Any]:
     if not isinstance(value, dict) or not value:
         return {prefix: value}
-    return {
-        k: v for name, part in value.items() for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()
-    }
+    return {k: v for name, part in value.items() for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()}
