@@ -66,7 +66,7 @@ class EvalReport:
             "states": self.states,
             "successes": self.successes,
             "episodes": self.episodes,
-            "interval": wilson(self.successes, self.episodes),
+            "interval": list(wilson(self.successes, self.episodes)),
             "paper_rule_successes": sum(o.paper_success for o in self.outcomes),
             "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),
             "outcomes": [asdict(o) for o in self.outcomes],
