@@ -51,7 +51,7 @@ def full(tmp_path: Path) -> ReportData:
     video = tmp_path / "film.mp4"
     video.write_bytes(b"not really a film")
     metrics = [{"step": float(s), "loss": 1.0 / s, "labels_per_second": 100.0} for s in range(1, 40)]
-    metrics[-1]["held_out_mm"] = 2.0
+    metrics[-1]["held_out_action_error_mm"] = 2.0
     return ReportData(
         title="stack: <b>bold</b> & true",
         task="stack",

@@ -155,7 +155,7 @@ def train(
 
         def progress(p: Progress) -> None:
             bar.total, bar.n = p.steps, p.step
-            bar.set_postfix({k: f"{v:.3g}" for k, v in p.metrics.items() if k in ("loss", "held_out_mm")}, refresh=False)
+            bar.set_postfix({k: f"{v:.3g}" for k, v in p.metrics.items() if k in ("loss", "held_out_action_error_mm")}, refresh=False)
             bar.update(0)
 
         run_train(dataset, out, TrainConfig(steps=steps, minutes=minutes, seed=seed), progress=progress)

@@ -137,7 +137,7 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
 
 def _train(config: RunConfig, data: Path, policy: Path, minutes: float, progress: StageProgress) -> None:
     def report(p: Progress) -> None:
-        notes = {k: f"{p.metrics[k]:.3g}" for k in ("loss", "held_out_mm", "labels_per_second") if k in p.metrics}
+        notes = {k: f"{p.metrics[k]:.3g}" for k in ("loss", "held_out_action_error_mm", "labels_per_second") if k in p.metrics}
         progress("train", p.step, p.steps, notes)
 
     train(data, policy, TrainConfig(minutes=minutes, seed=config.seed), progress=report)

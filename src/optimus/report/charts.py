@@ -32,7 +32,7 @@ PANELS = (
         {"training": "loss", "held out": "held_out_likelihood"},
         from_zero=False,
     ),
-    Panel("Held-out error of the commanded position [mm]", {"held out": "held_out_mm"}),
+    Panel("Held-out error of the commanded position [mm]", {"held out": "held_out_action_error_mm"}),
     Panel("Held-out error of located objects [mm]", {"held out": "held_out_location_error_mm"}),
     Panel("Training speed [labels/s]", {"training": "labels_per_second"}),
 )
