@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, SCALE
 from optimus.data.episode import Observation
-from optimus.motion.lines import distance
+from optimus.motion.lines import TURN_WEIGHT, distance
 from optimus.motion.plan import Plan, Segment
 from optimus.se3 import Array, Pose, error_between, interpolate, quat_from_rotvec, quat_mul
 
@@ -34,15 +34,22 @@ class TimeLaw:
 
 
 class _Path:
-    """A segment's poses with the length of the path up to each."""
+    """A segment's poses as a polyline, with the length up to each; turns count by `TURN_WEIGHT`, as in `distance`."""
 
     def __init__(self, segment: Segment) -> None:
         self.poses = segment.poses
         steps = [distance(a, b) for a, b in pairwise(self.poses)]
         self.at = np.concatenate([[0.0], np.cumsum(steps)])
         self.length = float(self.at[-1])
+        self._points = np.array([self._point(pose) for pose in self.poses])
+
+    def _point(self, pose: Pose) -> Array:
+        """A pose as a point `(6,)`: position, and the turn from the end of the path in metres."""
+        turn = error_between(pose, self.poses[-1])[3:]
+        return np.concatenate([pose.pos, TURN_WEIGHT * turn])
 
     def pose(self, s: float) -> Pose:
+        """The pose at length `s` [m]."""
         i = min(max(int(np.searchsorted(self.at, s, side="right")) - 1, 0), len(self.poses) - 1)
         if i == len(self.poses) - 1:
             return self.poses[-1]
@@ -50,9 +57,25 @@ class _Path:
         return interpolate(self.poses[i], self.poses[i + 1], float((s - self.at[i]) / max(span, 1e-9)))
 
     def nearest(self, target: Pose, s: float, window: float) -> float:
-        """Where on the path, within `window` [m] around `s`, `target` is nearest."""
-        candidates = np.linspace(max(0.0, s - window), min(self.length, s + window), 13)
-        return float(min(candidates, key=lambda c: distance(target, self.pose(float(c)))))
+        """Where on the path, within `window` [m] around `s`, `target` is nearest: a function of the target, without steps,
+        so that the label is one too."""
+        first = max(0, int(np.searchsorted(self.at, s - window, side="right")) - 1)
+        last = min(len(self.at) - 1, int(np.searchsorted(self.at, s + window)))
+        if last <= first:
+            return s
+        starts, spans = self._points[first:last], np.diff(self._points[first : last + 1], axis=0)
+        lengths = np.maximum((spans**2).sum(1), 1e-12)
+        offset = self._point(target) - starts
+        share = np.clip((offset * spans).sum(1) / lengths, 0.0, 1.0)
+        gaps = ((offset - share[:, None] * spans) ** 2).sum(1)
+        best = int(np.argmin(gaps))
+        along = self.at[first + best] + share[best] * (self.at[first + best + 1] - self.at[first + best])
+        return float(np.clip(along, s - window, s + window))
+
+    def gap(self, tcp: Pose, s: float) -> float:
+        """The geometric distance of the tcp from the path [m], whatever its lag along it."""
+        near = [self.pose(float(c)).pos for c in np.linspace(max(0.0, s - 0.08), min(self.length, s + 0.01), 19)]
+        return float(min(np.linalg.norm(p - tcp.pos) for p in near))
 
 
 class PlanFollower:
@@ -111,7 +134,7 @@ class PlanFollower:
             self._waited += 1
         else:
             wanted = self._advance(self._path, target)
-            self.errors.append(distance_to(self._path, tcp, self._s))
+            self.errors.append(self._path.gap(tcp, self._s))
         delta = np.clip(error_between(wanted, target) / SCALE, -1.0, 1.0)
         return np.array([*delta, 1.0 if segment.shut else -1.0], np.float32)
 
@@ -136,12 +159,6 @@ class PlanFollower:
         if not self._stops_at_end() or self._waited >= self.law.patience:
             return True
         return distance(segment.end, tcp) < self.law.arrived
-
-
-def distance_to(path: _Path, tcp: Pose, s: float) -> float:
-    """The geometric distance of the tcp from the path [m], whatever its lag along it."""
-    near = [path.pose(float(c)).pos for c in np.linspace(max(0.0, s - 0.08), min(path.length, s + 0.01), 19)]
-    return float(min(np.linalg.norm(p - tcp.pos) for p in near))
 
 
 def _wxyz(xyzw: NDArray[np.float32]) -> Array:
