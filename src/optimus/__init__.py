@@ -5,11 +5,11 @@ import sys
 
 __version__ = "0.1.0"
 
-# MuJoCo chooses its GL library when it is first imported, so this cannot wait. Off-screen EGL where there may be no display; one
-# software-rendering thread a process, since rollouts are parallel across processes (docs/performance.md).
+# MuJoCo chooses its GL library when it is first imported, so this cannot wait. Off-screen EGL where there may be no display;
+# software rendering in the thread that asks for it, since rollouts are parallel across processes (docs/performance.md).
 if sys.platform == "linux":
     os.environ.setdefault("MUJOCO_GL", "egl")
-    os.environ.setdefault("LP_NUM_THREADS", "1")
+    os.environ.setdefault("LP_NUM_THREADS", "0")
 
 from optimus.registration import register
 

@@ -155,7 +155,8 @@ def train(
 
         def progress(p: Progress) -> None:
             bar.total, bar.n = p.steps, p.step
-            bar.set_postfix({k: f"{v:.3g}" for k, v in p.metrics.items() if k in ("loss", "held_out_action_error_mm")}, refresh=False)
+            shown = ("loss", "held_out_action_error_mm", "labels_per_second")
+            bar.set_postfix({k: f"{p.metrics[k]:.3g}" for k in shown if k in p.metrics}, refresh=False)
             bar.update(0)
 
         run_train(dataset, out, TrainConfig(steps=steps, minutes=minutes, seed=seed), progress=progress)

@@ -6,7 +6,6 @@ a step come from generators seeded with the seed, the step and the shard.
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -20,6 +19,7 @@ from torch import Tensor
 
 from optimus.data.windows import Batch, WindowConfig, Windows
 from optimus.learn.policy import Policy
+from optimus.workers import available_cores
 
 
 @dataclass(frozen=True)
@@ -135,8 +135,16 @@ def tensors(arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Tensor]:
 
 def candidate_runtimes(runs: int) -> list[Runtime]:
     """One thread and all cores, in float32 and in bfloat16."""
-    cores = min(len(os.sched_getaffinity(0)), runs)
+    cores = min(available_cores(), runs)
     return [Runtime(shards, half) for shards in sorted({1, cores}) for half in (False, True)]
+
+
+def usual_runtime(runs: int) -> Runtime:
+    """What a budget in steps runs with unless told otherwise: a function of the machine, not of a clock, so that two runs
+    of the same command end with the same weights."""
+    cores = min(available_cores(), runs)
+    able = torch.cpu.get_capabilities()
+    return Runtime(cores, half=bool(able.get("avx512_bf16") or able.get("amx_bf16")))
 
 
 def fastest_runtime(

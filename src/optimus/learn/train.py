@@ -27,7 +27,7 @@ from optimus.data.store import EpisodeStore, installed_versions
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
-from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, candidate_runtimes, fastest_runtime
+from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
 from optimus.learn.heldout import held_out
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.schedule import RateConfig, StepPlan
@@ -68,7 +68,7 @@ class TrainConfig:
     checkpoint_seconds: float = 60.0
     """Time between checkpoints."""
     runtime: Runtime | None = None
-    """Threads and precision; measured if none."""
+    """Threads and precision; if none, the machine's usual ones, or with a budget of minutes the fastest, measured."""
 
 
 @dataclass(frozen=True)
@@ -195,13 +195,12 @@ class _Trainer:
             there = checkpoint.read_config(self.run)
             _require_same(self.run, there, what)
             return Runtime(**there["runtime"]), StepPlan(**there["plan"])
-        runtime, plan = config.runtime, StepPlan(config.steps or 1)
-        if runtime is None or config.steps is None:
-            candidates = [runtime] if runtime else candidate_runtimes(config.loss.runs)
+        runtime, plan = config.runtime or usual_runtime(config.loss.runs), StepPlan(config.steps or 1)
+        if config.steps is None:
+            candidates = [runtime] if config.runtime else candidate_runtimes(config.loss.runs)
             runtime, seconds = fastest_runtime(policy, self.windows, config.loss, config.seed, candidates)
-            if config.steps is None:
-                left = 60 * config.minutes - (time.perf_counter() - self.session_start)
-                plan = StepPlan(max(1, round(left / seconds)))
+            left = 60 * config.minutes - (time.perf_counter() - self.session_start)
+            plan = StepPlan(max(1, round(left / seconds)))
         versions = {**installed_versions(), "torch": torch.__version__}
         settled = {"runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})
