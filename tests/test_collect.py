@@ -42,20 +42,19 @@ def run_until_killed(folder: Path, seconds: float, episodes: int) -> bool:
 
 
 def test_killed_and_restarted_it_ends_with_what_was_asked_for(tmp_path: Path) -> None:
-    moments, folder = random.Random(1), tmp_path / "data"
-    kills = 0
-    while not run_until_killed(folder, moments.uniform(1.5, 4.0), episodes=6):
-        kills += 1
-        assert kills < 40
-    assert kills > 0
+    moments, folder, wanted = random.Random(1), tmp_path / "data", 12
+    killed = [not run_until_killed(folder, moments.uniform(0.5, 3.5), wanted) for _ in range(20)]
+    assert sum(killed) > 10
+    while not run_until_killed(folder, 60.0, wanted):
+        pass
     store = EpisodeStore.open(folder)
-    assert len(store.seeds) == 6
+    assert len(store.seeds) == wanted
     assert not list(folder.rglob(".tmp-*"))
     for seed in store.seeds:
         episode = store.read(seed)
         assert episode.success and len(episode) == len(load_file(store.episode_path(seed))["actions"])
-    whole = collect(CollectConfig("stack", tmp_path / "whole", 6, workers=1))
-    assert whole.demonstrations == 6 and contents(folder) == contents(tmp_path / "whole")
+    whole = collect(CollectConfig("stack", tmp_path / "whole", wanted, workers=1))
+    assert whole.demonstrations == wanted and contents(folder) == contents(tmp_path / "whole")
 
 
 def test_a_second_call_adds_to_the_first(tmp_path: Path) -> None:

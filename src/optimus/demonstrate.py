@@ -13,7 +13,7 @@ from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.plan import Infeasible
 from optimus.planner import Budget, solve
-from optimus.rollout import Perturbation, rollout
+from optimus.rollout import Perturbation, Pushes, rollout
 from optimus.skills import Style, Workspace
 
 
@@ -54,8 +54,10 @@ def demonstrate(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Attemp
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
     follower, perturbation = PlanFollower(plan, config.law), config.perturbation
 
+    pushes = None if perturbation is None else Pushes(perturbation, pushing)
+
     def push() -> np.ndarray | None:
-        return perturbation.sample(pushing) if perturbation is not None and follower.may_be_pushed else None
+        return None if pushes is None else pushes.next(follower.slack)
 
     episode = rollout(env, observation, follower, "expert", push)
     errors = np.array(follower.errors or [0.0])

@@ -19,14 +19,18 @@ from optimus.se3 import Array, Pose, error_between, interpolate, quat_from_rotve
 class TimeLaw:
     """How fast, as a function of where the arm is on its path: fast along it, slow towards a grasp or a release."""
 
-    speed: float = 0.30
+    speed: float = 0.35
     """[m/s]; a turn of one radian counts as `lines.TURN_WEIGHT` metres."""
     slowest: float = 0.04
     """... at the end of a path [m/s]."""
     braking: float = 4.0
     """Near the end the speed grows by this much a metre [1/s]."""
-    arrived: float = 0.004
+    arrived: float = 0.006
     """The tcp has arrived within this distance [m]."""
+    recovery: float = 0.4
+    """Off its path, the expert makes good this share of the offset each step."""
+    patience_offset: float = 0.03
+    """... and goes on along the path only as far as it is nearer to it than this [m]: align first, then descend."""
     stall: int = 5
     """Steps for which the gripper alone acts."""
     patience: int = 12
@@ -56,26 +60,29 @@ class _Path:
         span = self.at[i + 1] - self.at[i]
         return interpolate(self.poses[i], self.poses[i + 1], float((s - self.at[i]) / max(span, 1e-9)))
 
-    def nearest(self, target: Pose, s: float, window: float) -> float:
-        """Where on the path, within `window` [m] around `s`, `target` is nearest: a function of the target, without steps,
-        so that the label is one too."""
+    def _project(self, point: Array, s: float, window: float) -> tuple[float, float]:
+        """Where on the path, within `window` [m] around `s`, a point of `point`'s dimensions is nearest, and how near."""
         first = max(0, int(np.searchsorted(self.at, s - window, side="right")) - 1)
         last = min(len(self.at) - 1, int(np.searchsorted(self.at, s + window)))
+        points = self._points[first : last + 1, : len(point)]
         if last <= first:
-            return s
-        starts, spans = self._points[first:last], np.diff(self._points[first : last + 1], axis=0)
-        lengths = np.maximum((spans**2).sum(1), 1e-12)
-        offset = self._point(target) - starts
-        share = np.clip((offset * spans).sum(1) / lengths, 0.0, 1.0)
+            return s, float(np.linalg.norm(point - points[0]))
+        starts, spans = points[:-1], np.diff(points, axis=0)
+        offset = point - starts
+        share = np.clip((offset * spans).sum(1) / np.maximum((spans**2).sum(1), 1e-12), 0.0, 1.0)
         gaps = ((offset - share[:, None] * spans) ** 2).sum(1)
         best = int(np.argmin(gaps))
         along = self.at[first + best] + share[best] * (self.at[first + best + 1] - self.at[first + best])
-        return float(np.clip(along, s - window, s + window))
+        return float(np.clip(along, s - window, s + window)), float(np.sqrt(gaps[best]))
+
+    def nearest(self, target: Pose, s: float, window: float) -> float:
+        """Where on the path, within `window` [m] around `s`, `target` is nearest: a function of the target, without steps,
+        so that the label is one too."""
+        return self._project(self._point(target), s, window)[0]
 
     def gap(self, tcp: Pose, s: float) -> float:
         """The geometric distance of the tcp from the path [m], whatever its lag along it."""
-        near = [self.pose(float(c)).pos for c in np.linspace(max(0.0, s - 0.08), min(self.length, s + 0.01), 19)]
-        return float(min(np.linalg.norm(p - tcp.pos) for p in near))
+        return self._project(tcp.pos, s, 0.08)[1]
 
 
 class PlanFollower:
@@ -105,9 +112,12 @@ class PlanFollower:
         return done
 
     @property
-    def may_be_pushed(self) -> bool:
-        """Whether a perturbation now does no harm: not while the gripper works, nor right before it does."""
-        return self._path is not None and self._path.length - self._s > 0.012
+    def slack(self) -> float:
+        """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, else all."""
+        if self._path is None:
+            return 0.0
+        left = self._path.length - self._s
+        return min(1.0, left / 0.10) if self._stops_at_end() else 1.0
 
     def _next_segment(self) -> None:
         self._index += 1
@@ -141,12 +151,16 @@ class PlanFollower:
     def _advance(self, path: _Path, target: Pose) -> Pose:
         law = self.law
         self._s = path.nearest(target, self._s, window=0.04)
+        offset = error_between(target, path.pose(self._s))
+        away = max(float(np.linalg.norm(offset[:3])), TURN_WEIGHT * float(np.linalg.norm(offset[3:])))
         speed = law.speed
         if self._stops_at_end():
             speed = min(speed, law.slowest + law.braking * (path.length - self._s))
+        speed *= max(0.0, 1.0 - away / law.patience_offset)
         self._s = min(path.length, self._s + speed / CONTROL_HZ)
         self._waited += self._s >= path.length
-        return path.pose(self._s)
+        on_path, left = path.pose(self._s), (1.0 - law.recovery) * offset
+        return Pose(on_path.pos + left[:3], quat_mul(quat_from_rotvec(left[3:]), on_path.quat))
 
     def _finished(self, tcp: Pose) -> bool:
         segment = self.segment

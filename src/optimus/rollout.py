@@ -28,22 +28,40 @@ class Agent(Protocol):
 
 @dataclass(frozen=True)
 class Perturbation:
-    """Pushes on the executed action while the label stays the agent's own answer (the idea of DART, Laskey et al. 2017)."""
+    """Pushes on the executed action while the label stays the agent's own answer (the idea of DART, Laskey et al. 2017).
 
-    position: float = 0.01
-    """Standard deviation [m]."""
-    yaw: float = 0.075
-    """Standard deviation [rad]."""
-    share: float = 0.5
-    """Of the steps that may be pushed."""
+    Two kinds: a tremble at every step, which no single action survives unchanged, and now and then a shove over a few steps,
+    which takes the arm to where a policy that errs will find itself. Standard deviations, in metres and radians.
+    """
 
-    def sample(self, rng: np.random.Generator) -> NDArray[np.float64]:
-        """What to add to an action `(7,)`; zeros on the steps that are not pushed."""
+    tremble: float = 0.004
+    tremble_yaw: float = 0.03
+    shove: float = 0.03
+    shove_yaw: float = 0.20
+    shoves: float = 0.05
+    """Probability that a shove begins at a step."""
+    shove_steps: int = 3
+
+
+class Pushes:
+    """The pushes of one episode, drawn from its own generator."""
+
+    def __init__(self, config: Perturbation, rng: np.random.Generator) -> None:
+        self.config, self._rng = config, rng
+        self._shove, self._left = np.zeros(4), 0
+
+    def next(self, slack: float) -> NDArray[np.float64]:
+        """What to add to the next action `(7,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
+        c, rng = self.config, self._rng
+        tremble = rng.normal(size=4) * (c.tremble, c.tremble, c.tremble, c.tremble_yaw)
+        begins, shove = rng.uniform() < c.shoves, rng.normal(size=4) * (c.shove, c.shove, c.shove, c.shove_yaw)
+        if begins and self._left == 0:
+            self._shove, self._left = shove / c.shove_steps, c.shove_steps
+        moved = tremble + (self._shove if self._left else 0.0)
+        self._left = max(0, self._left - 1)
         noise = np.zeros(7)
-        push = rng.uniform() < self.share
-        noise[:3] = rng.normal(0.0, self.position / POSITION_SCALE, 3)
-        noise[5] = rng.normal(0.0, self.yaw / ROTATION_SCALE)
-        return noise * push
+        noise[:3], noise[5] = moved[:3] / POSITION_SCALE, moved[3] / ROTATION_SCALE
+        return slack * noise
 
 
 @dataclass(eq=False)

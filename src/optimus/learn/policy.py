@@ -83,7 +83,8 @@ class Policy(nn.Module):
         self.embed = nn.Linear(seen + 3 * inputs.objects, config.trunk.width)
         self.trunk = Transformer(config.trunk, config.context)
         self.head = MixtureHead(config.head, config.trunk.width, ACTION_DIM)
-        self.locate = nn.Linear(seen, 3 * inputs.objects)
+        # not linear: where a thing is depends on where it is seen and on how the hand that sees it is turned
+        self.locate = nn.Sequential(nn.Linear(seen, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects))
         for name, size in (("low", low), ("objects", 3 * inputs.objects)):
             self.register_buffer(f"{name}_mean", torch.zeros(size))
             self.register_buffer(f"{name}_deviation", torch.ones(size))

@@ -97,7 +97,7 @@ def cylinder(radius: float, height: float, rgba: Rgba, mass: float = 0.08) -> Sh
     )
 
 
-def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.007, sides: int = 12) -> Shape:
+def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.007, sides: int = 16) -> Shape:
     """An open vessel [m]: a floor and a ring of `sides` wall panels, taken from above across its mouth."""
     half = height / 2
     panel = Part("box", (wall / 2, radius * np.tan(np.pi / sides), half))

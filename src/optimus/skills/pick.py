@@ -11,7 +11,7 @@ import numpy as np
 from optimus.logic import Facts, Operator, ground
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of
 from optimus.scene import Scene
-from optimus.se3 import Pose
+from optimus.se3 import Pose, quat_from_rotvec, quat_mul
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import Held, State
 
@@ -35,8 +35,11 @@ class Pick:
 
     def grasps(self, workspace: Workspace, state: State, thing: str) -> list[Pose]:
         """Tcp poses to take `thing` at, `base_from_tcp`: those nearest to the hand's home orientation first."""
-        at = state.poses[thing]
-        poses = [at @ grasp.pose for grasp in workspace.scene.shape_of(thing).grasps]
+        at, shape = state.poses[thing], workspace.scene.shape_of(thing)
+        if shape.symmetric:
+            # its yaw cannot be seen, so no answer may depend on it
+            at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
+        poses = [at @ grasp.pose for grasp in shape.grasps]
         return sorted(poses, key=lambda pose: round(workspace.turn_from_home(pose), 6))
 
     def refine(
@@ -58,3 +61,8 @@ class Pick:
                 continue
             after = replace(taken, q=lift.q[-1], tcp=up).moved(thing, up @ held.tcp_from_object)
             yield (reach, gripper_action("close", q, goal, True), lift), after
+
+
+def _yaw(pose: Pose) -> float:
+    """The angle of the pose's x axis about the vertical [rad]."""
+    return float(np.arctan2(pose.matrix[1, 0], pose.matrix[0, 0]))
