@@ -1,5 +1,7 @@
 """Each predicate on states made by hand, where anyone can say what holds."""
 
+from typing import Any
+
 import numpy as np
 
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, facts_of
@@ -11,7 +13,7 @@ SCENE = task("stack").problem(0).scene
 FAR = Pose.of((0.5, 0.0, 0.4), (np.pi, 0.0, 0.0))
 
 
-def state(a: tuple[float, float, float], turn: tuple[float, float, float] = (0, 0, 0), **rest) -> State:
+def state(a: tuple[float, float, float], turn: tuple[float, float, float] = (0, 0, 0), **rest: Any) -> State:
     poses = {"cubeA": Pose.of(a, turn), "cubeB": Pose.of((0.5, 0.0, 0.025))}
     return State(np.zeros(7), 0.08, poses, **{"tcp": FAR, **rest})
 
@@ -35,7 +37,8 @@ def test_held_moving_touched_or_near_is_not_released() -> None:
     near = Pose.of((0.5, 0.0, 0.09), (np.pi, 0.0, 0.0))
     held = Held("cubeA", FAR.inverse @ Pose.of((0.5, 0.0, 0.07)))
     assert Holding("cubeA") in facts_of(SCENE, state((0.5, 0.0, 0.07), held=held))
-    for rest in ({"held": held}, {"speeds": {"cubeA": 0.05}}, {"touched": frozenset({"cubeA"})}, {"tcp": near}):
+    cases: list[dict[str, Any]] = [{"held": held}, {"speeds": {"cubeA": 0.05}}, {"touched": frozenset({"cubeA"})}, {"tcp": near}]
+    for rest in cases:
         facts = facts_of(SCENE, state((0.5, 0.0, 0.07), **rest))
         assert Released("cubeA") not in facts
     assert On("cubeA", "cubeB") not in facts_of(SCENE, state((0.5, 0.0, 0.07), held=held))

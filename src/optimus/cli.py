@@ -87,11 +87,14 @@ def collect(
     workers: int = 0,
     perturb: bool = True,
     stall: int = 5,
+    policy: Path | None = None,
     json: bool = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
 
-    Example: optimus collect stack --episodes 300 --out data/stack
+    Examples:
+        optimus collect stack --episodes 300 --out data/stack
+        optimus collect stack --episodes 100 --out data/corrections --policy runs/stack --seed 5000000
 
     Args:
         out: the dataset's folder
@@ -100,17 +103,19 @@ def collect(
         workers: processes; 0 takes every core (the dataset does not depend on it)
         perturb: push the arm off its path now and then, the label staying the expert's own answer
         stall: steps for which the gripper alone acts at a grasp or a release
+        policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
     """
     from dataclasses import asdict
 
     from optimus.collect import CollectConfig
     from optimus.collect import collect as run_collect
+    from optimus.correct import Turns
     from optimus.demonstrate import ExpertConfig
     from optimus.expert import TimeLaw
     from optimus.rollout import Perturbation
 
     expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None)
-    config = CollectConfig(task, out, episodes, seed, workers, expert)
+    config = CollectConfig(task, out, episodes, seed, workers, expert, Turns(policy) if policy else None)
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
@@ -135,16 +140,27 @@ def curate(dataset: Folder, max_length_sd: float = 2.0, json: bool = False) -> N
 
 
 def train(
-    dataset: Folder, out: Path, minutes: float = 10.0, steps: int | None = None, seed: int = 0, json: bool = False
+    dataset: Folder,
+    out: Path,
+    minutes: float = 10.0,
+    steps: int | None = None,
+    seed: int = 0,
+    corrections: Path | None = None,
+    initial: Path | None = None,
+    json: bool = False,
 ) -> None:
     """Train a policy on a dataset by behaviour cloning; a second call goes on where the first was stopped.
 
-    Example: optimus train data/stack --out runs/stack --minutes 12
+    Examples:
+        optimus train data/stack --out runs/stack --minutes 12
+        optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
 
     Args:
         out: the run's folder
         minutes: time to train for; the learning rate anneals over it
         steps: train for this many gradient steps instead
+        corrections: a second dataset, from `optimus collect --policy`, to train on as well
+        initial: a run folder whose weights to begin with
     """
     from optimus.data.store import EpisodeStore
     from optimus.learn.train import Progress, TrainConfig
@@ -159,7 +175,8 @@ def train(
             bar.set_postfix({k: f"{p.metrics[k]:.3g}" for k in shown if k in p.metrics}, refresh=False)
             bar.update(0)
 
-        run_train(dataset, out, TrainConfig(steps=steps, minutes=minutes, seed=seed), progress=progress)
+        config = TrainConfig(steps=steps, minutes=minutes, seed=seed)
+        run_train(dataset, out, config, None, progress, corrections, initial)
     _say({"run": str(out)}, json, str(out))
 
 
@@ -233,6 +250,7 @@ def run(
     episodes: int = 50,
     seed: int = 0,
     workers: int = 0,
+    corrections: bool = False,
     json: bool = False,
 ) -> None:
     """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.
@@ -244,6 +262,7 @@ def run(
         minutes: for all stages together
         demonstrations: how many to collect; by default what the budget allows
         episodes: evaluation episodes
+        corrections: spend half of the training on a first policy, and then learn from the expert's answers to its mistakes
     """
     from optimus.run import RunConfig
     from optimus.run import run as run_all
@@ -262,7 +281,7 @@ def run(
         if done == total:
             bars[stage].refresh()
 
-    result = run_all(RunConfig(task, out, minutes, demonstrations, episodes, seed, workers), progress)
+    result = run_all(RunConfig(task, out, minutes, demonstrations, episodes, seed, workers, corrections), progress)
     for bar in bars.values():
         bar.close()
     e = result["evaluation"]

@@ -8,11 +8,12 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import asdict, dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import count
 from pathlib import Path
 
 from optimus.control import POSITION_SCALE
+from optimus.correct import Corrections, Turns
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -39,6 +40,8 @@ class CollectConfig:
     workers: int = 0
     """Processes; 0 takes every core. The dataset does not depend on it."""
     expert: ExpertConfig = field(default_factory=lambda: ExpertConfig(perturbation=Perturbation()))
+    turns: Turns | None = None
+    """Collect corrections: a policy and the expert take turns to act, in place of the perturbation."""
 
 
 @dataclass(frozen=True)
@@ -67,13 +70,13 @@ def _env(task: str) -> ManipulationEnv:
     return ManipulationEnv(task_named(task))
 
 
-def _attempt(task: str, seed: int, expert: ExpertConfig, out: Path) -> _Outcome:
+def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     """One seed, in a worker: its episode or the reason of its failure is written before this returns."""
-    env = _env(task)
+    env, turns = _env(config.task), config.turns
     env.cpu.clear()
-    attempt = demonstrate(env, seed, expert)
+    attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))
     began = time.process_time()
-    store = _store(out)
+    store = _store(config.out)
     if attempt.success and attempt.episode is not None:
         store.write(attempt.episode)
     else:
@@ -93,6 +96,8 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     cameras = compile_scene(task.problem(config.seed).scene).image_cameras
     _require_writable(config.out)
     about = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
+    if config.turns is not None:
+        about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
     return EpisodeStore.create(config.out, task.name, cameras, about)
 
 
@@ -117,7 +122,7 @@ def collect(config: CollectConfig, progress: Callable[[int], None] = lambda done
             while successes < config.episodes:
                 _require_hope(store, successes, failures)
                 while len(pending) < min(config.episodes - successes, 2 * (config.workers or available_cores())):
-                    pending.add(pool.submit(_attempt, config.task, next(seeds), config.expert, config.out))
+                    pending.add(pool.submit(_attempt, config, next(seeds)))
                 done, pending = wait(pending, return_when=FIRST_COMPLETED)
                 for outcome in (future.result() for future in done):
                     successes += outcome.success

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from optimus.data.episode import Episode
+from optimus.data.episode import Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.plan import Infeasible
 from optimus.planner import Budget, solve
-from optimus.rollout import Perturbation, Pushes, rollout
+from optimus.rollout import Meddler, Perturbation, Pushes, rollout
 from optimus.skills import Style, Workspace
 
 
@@ -43,8 +44,13 @@ class Attempt:
         return self.episode is not None and self.episode.success
 
 
-def demonstrate(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Attempt:
-    """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone."""
+def demonstrate(
+    env: ManipulationEnv, seed: int, config: ExpertConfig, meddler: Callable[[np.random.Generator], Meddler] | None = None
+) -> Attempt:
+    """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
+
+    `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
+    """
     observation, info = env.reset(seed=seed)
     planning, pushing = (np.random.default_rng([seed, stream]) for stream in (1, 2))
     began = time.process_time()
@@ -53,16 +59,17 @@ def demonstrate(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Attemp
     if isinstance(plan, Infeasible):
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
     follower, perturbation = PlanFollower(plan, config.law), config.perturbation
+    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing)
+    if meddler is not None:
+        pushes = meddler(pushing)
 
-    pushes = None if perturbation is None else Pushes(perturbation, pushing)
-
-    def push() -> np.ndarray | None:
-        return None if pushes is None else pushes.next(follower.slack)
+    def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
+        return None if pushes is None else pushes.next(seen, label, follower.slack)
 
     episode = rollout(env, observation, follower, "expert", push)
     errors = np.array(follower.errors or [0.0])
     facts = {
-        "perturbed": perturbation is not None,
+        "perturbed": pushes is not None,
         "retries": 0,
         "tracking_error": {"median": float(np.median(errors)), "max": float(errors.max())},
         "learned": plan.stats["learned"],

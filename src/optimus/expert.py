@@ -34,7 +34,11 @@ class TimeLaw:
     stall: int = 5
     """Steps for which the gripper alone acts."""
     patience: int = 12
-    """Steps to wait for the tcp to arrive before going on regardless."""
+    """Steps to wait for the tcp to arrive that well; after them, `arrived_late` will do."""
+    arrived_late: float = 0.015
+    """[m]"""
+    finger_motion: float = 0.004
+    """A gripper action counts as done only when the opening has changed by this much [m]."""
 
 
 class _Path:
@@ -93,6 +97,8 @@ class PlanFollower:
         self.plan, self.law = plan, law or TimeLaw()
         self._segments = plan.segments
         self._index = -1
+        self._opening = 0.0
+        """Between the fingers when the present segment began [m]."""
         self.errors: list[float] = []
         """Distance of the tcp from the planned path at each step of motion [m]."""
         self._next_segment()
@@ -134,8 +140,10 @@ class PlanFollower:
         tcp = Pose(observation["robot0_eef_pos"].astype(np.float64), _wxyz(observation["robot0_eef_quat"]))
         missing = observation["robot0_target_error"].astype(np.float64)
         target = Pose(tcp.pos + missing[:3], quat_mul(quat_from_rotvec(missing[3:]), tcp.quat))
-        while self._finished(tcp):
+        opening = float(np.abs(observation["robot0_gripper_qpos"]).sum())
+        while self._finished(tcp, opening):
             self._next_segment()
+            self._opening = opening
         segment = self.segment
         if segment is None:
             return None
@@ -162,17 +170,19 @@ class PlanFollower:
         on_path, left = path.pose(self._s), (1.0 - law.recovery) * offset
         return Pose(on_path.pos + left[:3], quat_mul(quat_from_rotvec(left[3:]), on_path.quat))
 
-    def _finished(self, tcp: Pose) -> bool:
-        segment = self.segment
+    def _finished(self, tcp: Pose, opening: float) -> bool:
+        segment, law = self.segment, self.law
         if segment is None:
             return False
         if self._path is None:
-            return self._waited >= self.law.stall
+            # somebody else may have had the last word on what was done: the fingers must really have moved
+            return self._waited >= law.stall and abs(opening - self._opening) > law.finger_motion
         if self._s < self._path.length:
             return False
-        if not self._stops_at_end() or self._waited >= self.law.patience:
+        if not self._stops_at_end():
             return True
-        return distance(segment.end, tcp) < self.law.arrived
+        near = law.arrived if self._waited < law.patience else law.arrived_late
+        return distance(segment.end, tcp) < near
 
 
 def _wxyz(xyzw: NDArray[np.float32]) -> Array:

@@ -26,6 +26,14 @@ class Agent(Protocol):
         ...
 
 
+class Meddler(Protocol):
+    """Has a hand in what is executed, not in what is recorded as the answer."""
+
+    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
+        """What to add to the action `label` `(7,)` before it is executed; `slack` says how much may happen now, 0 to 1."""
+        ...
+
+
 @dataclass(frozen=True)
 class Perturbation:
     """Pushes on the executed action while the label stays the agent's own answer (the idea of DART, Laskey et al. 2017).
@@ -50,7 +58,7 @@ class Pushes:
         self.config, self._rng = config, rng
         self._shove, self._left = np.zeros(4), 0
 
-    def next(self, slack: float) -> NDArray[np.float64]:
+    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(7,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
         c, rng = self.config, self._rng
         tremble = rng.normal(size=4) * (c.tremble, c.tremble, c.tremble, c.tremble_yaw)
@@ -79,12 +87,13 @@ def rollout(
     observation: Observation,
     agent: Agent,
     name: str,
-    push: Callable[[], NDArray[np.float64] | None] = lambda: None,
+    push: Callable[[Observation, NDArray[np.float32]], NDArray[np.float64] | None] = lambda seen, label: None,
     watch: Callable[[ManipulationEnv], None] = lambda env: None,
 ) -> Episode:
     """Run `agent` from the environment's present state (of which `observation` is the view) to success, its end or the horizon.
 
-    `push()` gives what to add to the next executed action, or None; `watch(env)` is called before every step (films, measurements).
+    `push(observation, label)` gives what to add to the executed action, or None;
+    `watch(env)` is called before every step (films, measurements).
     """
     log = Log([], [], [], [])
     start = env.snapshot()
@@ -97,7 +106,7 @@ def rollout(
         if action is None:
             still = np.array([*np.zeros(6), log.actions[-1][6] if log.actions else -1.0], np.float32)
         label = still if action is None else action
-        noise = push() if action is not None else None
+        noise = push(observation, label) if action is not None else None
         done = label if noise is None else np.clip(label + noise, -1.0, 1.0).astype(np.float32)
         log.observations.append(observation)
         log.actions.append(label)

@@ -2,7 +2,9 @@
 
     OUT/run.json      the resolved configuration, versions, what each stage took
     OUT/data/         the dataset
-    OUT/policy/       the checkpoint and its metrics
+    OUT/first/        a first policy, trained on the demonstrations alone
+    OUT/corrections/  episodes in which it acted and the expert answered
+    OUT/policy/       the policy, trained on both, and its metrics
     OUT/films/        short films of successes and failures
     OUT/report.html   what to look at
 """
@@ -12,16 +14,19 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from optimus.collect import CollectConfig, Collected, collect
+from optimus.correct import Turns
 from optimus.data.atomic import make_folder, write_json
 from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore, installed_versions
+from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import FilmedEpisode, evaluate, film_outcomes, validation_starts
+from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
 from optimus.summary import RunRecord, summarise
@@ -29,8 +34,14 @@ from optimus.tasks import task as task_named
 
 DEMONSTRATIONS_PER_MINUTE = 18
 """Of the whole budget: about a sixth of it goes into collecting."""
+CORRECTIONS_PER_MINUTE = 8
+FIRST_SHARE = 0.45
+"""Of the time that is left for training: the first policy's."""
 EVALUATION_MINUTES = 2.0
 """Kept back for evaluation, films and report."""
+
+CORRECTION_SEEDS_FROM = 5_000_000
+"""Seeds of corrections start here, far from those of demonstrations and of evaluations."""
 
 StageProgress = Callable[[str, int, int, dict[str, str]], None]
 """`(stage, done, total, notes)`"""
@@ -47,6 +58,8 @@ class RunConfig:
     episodes: int = 50
     seed: int = 0
     workers: int = 0
+    corrections: bool = False
+    """Train a first policy, let it act and the expert answer, and train on those answers too."""
 
     @property
     def wanted(self) -> int:
@@ -103,8 +116,15 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     collected = _timed(journal, "collect", lambda: _collect(config, data, progress))
     journal.value.setdefault("plan_seconds", []).extend(collected.plan_seconds)
     curation = _timed(journal, "curate", lambda: curate(data))
-    minutes = journal.settled("train_minutes", lambda: _minutes_left(config, journal))
-    _timed(journal, "train", lambda: _train(config, data, policy, minutes, progress))
+    first, corrections = config.out / "first", config.out / "corrections"
+    if config.corrections:
+        minutes = journal.settled("first_minutes", lambda: FIRST_SHARE * _minutes_left(config, journal))
+        _timed(journal, "first policy", lambda: _train("first policy", Lesson(config, data, first, minutes), progress))
+        _timed(journal, "correct", lambda: _correct(config, corrections, first, progress))
+    lesson = Lesson(config, data, policy, journal.settled("train_minutes", lambda: _minutes_left(config, journal)))
+    if config.corrections:
+        lesson = replace(lesson, corrections=corrections, initial=first)
+    _timed(journal, "train", lambda: _train("train", lesson, progress))
     report = _timed(journal, "evaluate", lambda: _evaluate(config, data, policy, progress))
     page = config.out / "report.html"
     films = _timed(journal, "films", lambda: _films(config, data, policy, report))
@@ -135,12 +155,33 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
     return collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
 
 
-def _train(config: RunConfig, data: Path, policy: Path, minutes: float, progress: StageProgress) -> None:
+def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
+    wanted = max(4, round(CORRECTIONS_PER_MINUTE * config.minutes))
+    expert, seed = ExpertConfig(), config.seed + CORRECTION_SEEDS_FROM
+    asked = CollectConfig(config.task, corrections, wanted, seed, config.workers, expert, Turns(first))
+    collect(asked, lambda done: progress("correct", done, wanted, {}))
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """What is trained on, into which folder, for how long, from which weights."""
+
+    config: RunConfig
+    data: Path
+    policy: Path
+    minutes: float
+    corrections: Path | None = None
+    initial: Path | None = None
+
+
+def _train(stage: str, lesson: Lesson, progress: StageProgress) -> None:
     def report(p: Progress) -> None:
         notes = {k: f"{p.metrics[k]:.3g}" for k in ("loss", "held_out_action_error_mm", "labels_per_second") if k in p.metrics}
-        progress("train", p.step, p.steps, notes)
+        progress(stage, p.step, p.steps, notes)
 
-    train(data, policy, TrainConfig(minutes=minutes, seed=config.seed), progress=report)
+    rate = RateConfig() if lesson.initial is None else RateConfig(first=1e-3)
+    config = TrainConfig(minutes=lesson.minutes, seed=lesson.config.seed, rate=rate)
+    train(lesson.data, lesson.policy, config, None, report, lesson.corrections, lesson.initial)
 
 
 def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgress) -> dict[str, Any]:

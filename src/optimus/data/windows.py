@@ -77,14 +77,16 @@ class _Track:
 
 
 class Windows:
-    """All windows of some episodes of a dataset."""
+    """All windows of some episodes of a dataset, and of `extra` ones of other datasets with the same arrays."""
 
-    def __init__(self, store: EpisodeStore, seeds: Sequence[int], config: WindowConfig) -> None:
+    def __init__(
+        self, store: EpisodeStore, seeds: Sequence[int], config: WindowConfig, extra: Sequence[EpisodeHeader] = ()
+    ) -> None:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
         self.cameras = store.cameras
-        headers = [store.header(seed) for seed in seeds]
+        headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         self._tracks = [_track(header, store.cameras, config) for header in headers]
         # A run may begin before its episode: the first labels are learned with a context of repeated first

@@ -77,14 +77,16 @@ class Policy(nn.Module):
         self.config, self.inputs = config, inputs
         self.encoders = nn.ModuleDict({camera: Encoder(config.encoder) for camera in inputs.cameras})
         low = sum(_width(name, n) for name, n in inputs.proprioception.items())
-        seen = config.encoder.features * len(inputs.cameras) + low
+        self.looked = config.encoder.features * len(inputs.cameras)
+        seen = self.looked + low
         # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
         # too, but small among them, and took the trunk many times as many steps to find there.
         self.embed = nn.Linear(seen + 3 * inputs.objects, config.trunk.width)
         self.trunk = Transformer(config.trunk, config.context)
         self.head = MixtureHead(config.head, config.trunk.width, ACTION_DIM)
-        # not linear: where a thing is depends on where it is seen and on how the hand that sees it is turned
-        self.locate = nn.Sequential(nn.Linear(seen, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects))
+        # From the images alone: the hand is where the object is for most of an episode, and told where the hand is, this
+        # would never learn to look (docs/results/first-policies.md).
+        self.locate = nn.Sequential(nn.Linear(self.looked, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects))
         for name, size in (("low", low), ("objects", 3 * inputs.objects)):
             self.register_buffer(f"{name}_mean", torch.zeros(size))
             self.register_buffer(f"{name}_deviation", torch.ones(size))
@@ -146,7 +148,7 @@ class Policy(nn.Module):
 
     def located(self, frames: Tensor) -> Tensor:
         """Frame features `(..., m)` to normalised positions of the objects `(..., 3 k)`."""
-        return self.locate(frames)
+        return self.locate(frames[..., : self.looked])
 
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
         """Smooth absolute error `(...)` of positions, from frame features and `(..., k, 3)` [m]."""

@@ -87,12 +87,16 @@ def train(
     config: TrainConfig | None = None,
     policy: PolicyConfig | None = None,
     progress: Callable[[Progress], None] | None = None,
+    corrections: Path | str | None = None,
+    initial: Path | str | None = None,
 ) -> Policy:
     """Train a policy on the curated dataset `dataset` into the folder `run`, or go on with what is there.
 
-    The policy returned is the running average, as saved. `progress` is called after every step.
+    `corrections` is a second dataset, all of which is trained on; `initial` is a run folder whose weights to begin with, instead
+    of random ones. The policy returned is the running average, as saved. `progress` is called after every step.
     """
-    trainer = _Trainer(Path(dataset), Path(run), config or TrainConfig(), policy or PolicyConfig())
+    sources = Sources(Path(dataset), Path(corrections) if corrections else None, Path(initial) if initial else None)
+    trainer = _Trainer(sources, Path(run), config or TrainConfig(), policy or PolicyConfig())
     try:
         trainer.run_to_end(progress or (lambda _: None))
     finally:
@@ -100,23 +104,36 @@ def train(
     return trainer.state.average.eval()
 
 
+@dataclass(frozen=True)
+class Sources:
+    """What a run learns from, and what it begins with."""
+
+    dataset: Path
+    corrections: Path | None = None
+    initial: Path | None = None
+
+
 class _Trainer:
-    def __init__(self, dataset: Path, run: Path, config: TrainConfig, policy_config: PolicyConfig) -> None:
+    def __init__(self, sources: Sources, run: Path, config: TrainConfig, policy_config: PolicyConfig) -> None:
         self.run, self.config = run, config
         self.session_start = self.last_save = self.last_report = time.perf_counter()
         # Often enough that a short budget of minutes is still kept to: the plan is revised where it is saved.
         budget = math.inf if config.steps is not None else 60 * config.minutes
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
-        store, curation = EpisodeStore.open(dataset), load_curation(dataset)
+        store, curation = EpisodeStore.open(sources.dataset), load_curation(sources.dataset)
+        extra = EpisodeStore.open(sources.corrections).headers() if sources.corrections else []
         context, crop = policy_config.context, policy_config.crop
         cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
-        self.windows = Windows(store, curation.train, cut)
+        self.windows = Windows(store, curation.train, cut, extra)
         self.validation = Windows(store, curation.validation, WindowConfig(context, 1, crop))
         self.position_scale: float | None = store.config.get(POSITION_SCALE)
-        policy = fresh_policy(policy_config, PolicyInputs.of(store.task, self.windows), config.seed)
-        policy.fit_normalisation(self.windows)
+        if sources.initial:
+            policy = checkpoint.load(sources.initial, store.task).train()
+        else:
+            policy = fresh_policy(policy_config, PolicyInputs.of(store.task, self.windows), config.seed)
+            policy.fit_normalisation(self.windows)
         make_folder(run)
-        data = {"config": store.config, "versions": store.versions, "episodes": len(curation.train)}
+        data = {"config": store.config, "versions": store.versions, "episodes": len(curation.train) + len(extra)}
         runtime, plan = self._settle(policy, {"dataset": data})
         self.workers = GradientWorkers(policy, self.windows, config.loss, runtime, config.seed)
         self.state = TrainState(policy, config.optimiser, plan)

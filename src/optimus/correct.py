@@ -1,0 +1,61 @@
+"""Correction: the policy acts, the expert says what it would have done (the idea of DAgger, Ross et al. 2011).
+
+A perturbation finds the states that noise leads to; only the policy finds those that its own errors lead to. Policy and expert take
+turns, so that most episodes still end in success and pass for demonstrations: their labels are the expert's throughout.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.data.episode import Observation
+
+if TYPE_CHECKING:
+    from optimus.learn.agent import PolicyAgent
+
+
+@dataclass(frozen=True)
+class Turns:
+    """How policy and expert take turns."""
+
+    policy: Path
+    """The run folder of the policy that acts."""
+    policy_steps: float = 40.0
+    """Mean length of its turns."""
+    expert_steps: float = 12.0
+    """Mean length of the expert's."""
+
+
+@lru_cache(maxsize=1)
+def _agent(run: Path) -> PolicyAgent:
+    # imported here: collecting without a policy needs no torch
+    import torch
+
+    from optimus.learn.agent import PolicyAgent
+
+    torch.set_num_threads(1)
+    return PolicyAgent(run)
+
+
+class Corrections:
+    """The turns of one episode: adds to the expert's action what makes it the policy's, while it is the policy's turn."""
+
+    def __init__(self, turns: Turns, rng: np.random.Generator) -> None:
+        self.turns, self._rng = turns, rng
+        self._agent = _agent(turns.policy)
+        self._agent.reset(int(rng.integers(2**31)))
+        self._policys = bool(rng.uniform() < 0.7)
+
+    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
+        """What to add to the expert's action `(7,)`."""
+        answer = self._agent.act(observation).astype(np.float64)
+        mean = self.turns.policy_steps if self._policys else self.turns.expert_steps
+        if self._rng.uniform() < 1.0 / mean:
+            self._policys = not self._policys
+        return answer - label if self._policys else np.zeros(7)

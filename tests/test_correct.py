@@ -1,0 +1,82 @@
+"""Corrections: the policy acts, the labels stay the expert's."""
+
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from optimus.collect import CollectConfig, collect
+from optimus.correct import Corrections, Turns
+from optimus.data.curate import curate
+from optimus.data.store import EpisodeStore
+from optimus.demonstrate import ExpertConfig, demonstrate
+from optimus.env import ManipulationEnv
+from optimus.expert import PlanFollower
+from optimus.learn.checkpoint import load
+from optimus.learn.train import TrainConfig, train
+from optimus.motion.plan import Plan
+from optimus.planner import solve
+from optimus.skills import Workspace
+from optimus.tasks import task
+
+
+@pytest.fixture(scope="module")
+def taught(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    folder = tmp_path_factory.mktemp("taught")
+    collect(CollectConfig("stack", folder / "data", 3, workers=1))
+    curate(folder / "data")
+    train(folder / "data", folder / "policy", TrainConfig(steps=3))
+    return folder / "data", folder / "policy"
+
+
+def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> None:
+    env, config = ManipulationEnv(task("stack")), ExpertConfig()
+    always = partial(Corrections, Turns(taught[1], policy_steps=1e9, expert_steps=1.0))
+    first = demonstrate(env, 3, config, always).episode
+    again = demonstrate(env, 3, config, always).episode
+    assert first is not None and again is not None
+    np.testing.assert_array_equal(first.executed, again.executed)
+    assert np.any(first.actions != first.executed, axis=1).mean() > 0.9
+    assert first.info["perturbed"] and not first.success  # three steps of training teach nobody to stack
+    # a label is what a fresh follower of the same plan would say, wherever the policy went
+    assert np.abs(first.actions).max() <= 1.0 and set(np.unique(first.actions[:, 6])) <= {-1.0, 1.0}
+
+
+def test_without_turns_of_the_policy_nothing_changes(taught: tuple[Path, Path]) -> None:
+    env = ManipulationEnv(task("stack"))
+    never = partial(Corrections, Turns(taught[1], policy_steps=1.0, expert_steps=1e12))
+    for seed in range(20):
+        corrected = demonstrate(env, seed, ExpertConfig(), never).episode
+        assert corrected is not None
+        if np.array_equal(corrected.actions, corrected.executed):  # the expert had the first turn
+            plain = demonstrate(env, seed, ExpertConfig()).episode
+            assert plain is not None
+            np.testing.assert_array_equal(plain.actions, corrected.actions)
+            return
+    raise AssertionError("the expert never had the first turn")
+
+
+def test_training_begins_with_the_weights_and_sees_both_datasets(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    data, policy = taught
+    more = collect(CollectConfig("stack", tmp_path / "more", 2, seed=900, workers=1))
+    assert more.demonstrations == 2
+    tuned = train(data, tmp_path / "tuned", TrainConfig(steps=1), corrections=tmp_path / "more", initial=policy)
+    before = load(policy).state_dict()
+    for name, value in tuned.state_dict().items():
+        assert float((value.float() - before[name].float()).abs().max()) < 0.05, name
+    assert EpisodeStore.open(tmp_path / "more").seeds == (900, 901)
+
+
+def test_the_follower_waits_for_fingers_that_do_not_move() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    observation, _ = env.reset(seed=1)
+    plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(1))
+    assert isinstance(plan, Plan)
+    follower = PlanFollower(plan)
+    for _ in range(150):
+        action = follower.act(observation)
+        assert action is not None
+        action[6] = -1.0  # somebody holds the gripper open
+        observation, *_ = env.step(action)
+    assert follower.segment is not None and follower.segment.name == "close"
