@@ -27,7 +27,7 @@ from optimus.learn.encoder import EncoderConfig
 from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, batch_loss
 from optimus.learn.policy import PolicyConfig, PolicyInputs
 from optimus.learn.schedule import RateConfig, StepPlan
-from optimus.learn.state import OptimiserConfig
+from optimus.learn.state import OptimiserConfig, TrainState
 from optimus.learn.train import Progress, TrainConfig, TrainingError, fresh_policy, train
 from optimus.learn.trunk import TransformerConfig
 from synthetic import make_dataset, make_episode
@@ -227,3 +227,16 @@ def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
     assert last["held_out_location_error_mm"] < 20
     assert last["held_out_action_error_mm"] < 20
     assert math.isfinite(last["held_out_likelihood"])
+
+
+def test_a_step_moves_every_weight_against_its_own_gradient(dataset: Path) -> None:
+    """Whatever the memory layout of weights and gradients: the first step of Adam has the sign of the gradient, negated."""
+    windows = Windows(EpisodeStore.open(dataset), range(4), WindowConfig(crop=60))
+    policy = fresh_policy(SMALL, PolicyInputs.of("synthetic", windows), 0)
+    before = [p.detach().clone() for p in policy.parameters()]
+    noise = torch.Generator().manual_seed(0)
+    gradient = [torch.randn(p.shape, generator=noise) for p in before]
+    TrainState(policy, OptimiserConfig(weight_decay=0.0), StepPlan(10)).update(gradient, 1e-2)
+    for old, new, g in zip(before, policy.parameters(), gradient, strict=True):
+        moved = (new.detach() - old).flatten()
+        assert bool((torch.sign(moved) == -torch.sign(g.flatten())).all()), tuple(old.shape)

@@ -40,7 +40,7 @@ class LossConfig:
     """Runs of consecutive windows in a batch."""
     supervise: Literal["all", "last"] = "all"
     """Learn the actions at all frames of a window (contexts of 1 to 8 frames) or only that at its last."""
-    location_weight: float = 100.0
+    location_weight: float = 30.0
     """Weight of the auxiliary error of the objects' positions, decoded from single frames.
 
     The gradient of the likelihood is some hundred times as long, and clipped: at a weight of 1 this one is lost.

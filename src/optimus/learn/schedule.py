@@ -32,7 +32,7 @@ class StepPlan:
 class RateConfig:
     """A cosine from `first` to `last`, after a linear rise."""
 
-    first: float = 2e-3
+    first: float = 1.5e-3
     last: float = 1e-4
     warm_up: int = 50
     """Steps of the rise."""

@@ -36,7 +36,8 @@ class OptimiserConfig:
     weight_decay: float = 0.01
     """On matrices and convolutions only."""
     clip: float = 1.0
-    """Largest norm of the gradient."""
+    """Largest norm of the gradient: of what looks (encoders, locator) and of what acts, each by itself. The likelihood's
+    gradient varies by orders of magnitude; clipped together, it would drown what little the eyes are taught."""
     average: float = 0.995
     """Decay of the running average, which is the policy that is kept."""
 
@@ -49,19 +50,26 @@ class TrainState:
         self.average = copy.deepcopy(policy).requires_grad_(False)
         self.step, self.seconds = 0, 0.0
         self._parameters = [p for p in policy.parameters() if p.requires_grad]
+        looks = {id(p) for part in (policy.encoders, policy.locate) for p in part.parameters()}
+        self._clipped = (
+            [p for p in self._parameters if id(p) in looks],
+            [p for p in self._parameters if id(p) not in looks],
+        )
         matrices = [p for p in self._parameters if p.ndim >= 2]
         vectors = [p for p in self._parameters if p.ndim < 2]
         groups = [
             {"params": matrices, "weight_decay": config.weight_decay},
             {"params": vectors, "weight_decay": 0.0},
         ]
-        self.optimiser = torch.optim.AdamW(groups, fused=True)
+        # Never `fused=True`: on a CPU it pairs weights and gradients by their place in memory, and a channels-last convolution
+        # whose gradient is not channels last is moved in scrambled directions, without a word (PyTorch 2.13).
+        self.optimiser = torch.optim.AdamW(groups, foreach=True)
 
     def update(self, gradient: list[Tensor], rate: float) -> float:
-        """Take one step down the gradient; its norm before clipping is returned."""
+        """Take one step down the gradient; the larger of its norms before clipping is returned."""
         for parameter, g in zip(self._parameters, gradient, strict=True):
             parameter.grad = g
-        norm = float(nn.utils.clip_grad_norm_(self._parameters, self.config.clip))
+        norm = max(float(nn.utils.clip_grad_norm_(part, self.config.clip)) for part in self._clipped)
         for group in self.optimiser.param_groups:
             group["lr"] = rate
         self.optimiser.step()
