@@ -43,12 +43,12 @@ def test_physics_confirms_every_declared_effect(name: str, seed: int) -> None:
 
     def watch(_: ManipulationEnv) -> None:
         nonlocal checked
-        while checked < follower.steps_done:
+        while checked < min(follower.steps_done, len(plan.steps) - 1):
             check(checked)
             checked += 1
 
     episode: Episode = rollout(env, env.observe(), follower, "expert", watch=watch)
-    for rest in range(checked, len(plan.steps)):
+    for rest in range(checked, len(plan.steps)):  # the last skill is over when the arm has come to its end
         check(rest)
     assert episode.success and not wrong, wrong
 
@@ -118,7 +118,7 @@ def test_labels_of_a_perturbed_demonstration_lead_back_to_the_path() -> None:
     assert clean is not None and pushed is not None and pushed.success
     np.testing.assert_array_equal(clean.actions, clean.executed)
     differs = np.any(pushed.actions != pushed.executed, axis=1)
-    assert 0.2 < differs.mean() < 0.6
+    assert 0.6 < differs.mean() < 0.95  # not while the gripper works
     # a push and the label of the next step point against each other
     push = (pushed.executed - pushed.actions)[:-1, :3]
     answer = pushed.actions[1:, :3] - clean.actions[1 : len(pushed.actions), :3].mean(0)
