@@ -49,6 +49,11 @@ class Perturbation:
     shoves: float = 0.05
     """Probability that a shove begins at a step."""
     shove_steps: int = 3
+    pauses: float = 0.03
+    """Probability that a pause begins at a step: the arm stands still while the answer is to go on. Without it, only a
+    gripper at work is ever seen at a standstill, and a policy that has come to one stays there."""
+    longest_pause: int = 12
+    """[steps]"""
 
 
 class Pushes:
@@ -57,6 +62,7 @@ class Pushes:
     def __init__(self, config: Perturbation, rng: np.random.Generator) -> None:
         self.config, self._rng = config, rng
         self._shove, self._left = np.zeros(4), 0
+        self._still = 0
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(7,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
@@ -67,9 +73,15 @@ class Pushes:
             self._shove, self._left = shove / c.shove_steps, c.shove_steps
         moved = tremble + (self._shove if self._left else 0.0)
         self._left = max(0, self._left - 1)
+        pauses, length = rng.uniform() < c.pauses, int(rng.integers(2, c.longest_pause + 1))
+        if pauses and self._still == 0:
+            self._still = length
         noise = np.zeros(7)
-        noise[:3], noise[5] = moved[:3] / POSITION_SCALE, moved[3] / ROTATION_SCALE
-        return slack * noise
+        noise[:3], noise[5] = slack * moved[:3] / POSITION_SCALE, slack * moved[3] / ROTATION_SCALE
+        if self._still and slack > 0:
+            noise[:6] -= label[:6]
+        self._still = max(0, self._still - 1)
+        return noise
 
 
 @dataclass(eq=False)
