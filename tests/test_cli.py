@@ -33,7 +33,7 @@ def test_tasks_and_help() -> None:
     assert {t["name"] for t in result_of("tasks")["tasks"]} == {"stack", "pick-place"}
     for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
         done = optimus(verb, "--help")
-        assert done.returncode == 0 and "optimus " + verb in done.stdout and "Example" in done.stdout
+        assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
 
 
 def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ def _counter(bar: Any) -> Callable[[int, int], None]:
 def tasks(json: bool = False) -> None:
     """List the tasks.
 
-    Example: optimus tasks
+    Try: optimus tasks
     """
     from optimus.registration import gym_id
     from optimus.tasks import TASKS
@@ -57,7 +57,7 @@ def tasks(json: bool = False) -> None:
 def show(task: TaskName, plan: bool = False, seed: int = 0, out: Path | None = None, json: bool = False) -> None:
     """Write a picture of a task's start, or with --plan of the expert's plan.
 
-    Examples:
+    Try:
         optimus show stack --seed 3
         optimus show stack --plan --seed 3 --out plan.png
 
@@ -92,7 +92,7 @@ def collect(
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
 
-    Examples:
+    Try:
         optimus collect stack --episodes 300 --out data/stack
         optimus collect stack --episodes 100 --out data/corrections --policy runs/stack --seed 5000000
 
@@ -125,7 +125,7 @@ def collect(
 def curate(dataset: Folder, max_length_sd: float = 2.0, json: bool = False) -> None:
     """Choose the demonstrations worth learning from and split them 90/10; nothing is rewritten.
 
-    Example: optimus curate data/stack
+    Try: optimus curate data/stack
 
     Args:
         max_length_sd: leave out episodes longer than the mean of their plan skeleton by this many standard deviations
@@ -151,7 +151,7 @@ def train(
 ) -> None:
     """Train a policy on a dataset by behaviour cloning; a second call goes on where the first was stopped.
 
-    Examples:
+    Try:
         optimus train data/stack --out runs/stack --minutes 12
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
 
@@ -208,7 +208,7 @@ def evaluate(
 ) -> None:
     """Measure a policy's success: k of n, with its 95 % interval and the causes of failure.
 
-    Examples:
+    Try:
         optimus evaluate runs/stack --dataset data/stack --episodes 50
         optimus evaluate runs/stack --states random --videos films
 
@@ -255,7 +255,7 @@ def run(
 ) -> None:
     """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.
 
-    Example: optimus run pick-place --minutes 20 --out runs/pick-place
+    Try: optimus run pick-place --minutes 20 --out runs/pick-place
 
     Args:
         out: the folder for everything; `report.html` in it is what to look at
@@ -300,7 +300,7 @@ def bench(
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
 
-    Examples:
+    Try:
         optimus bench expert stack --episodes 100 --seed 1000 --json
         optimus bench collect stack --episodes 40 --workers 2 --json
 

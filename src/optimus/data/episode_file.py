@@ -79,7 +79,16 @@ def episode_bytes(episode: Episode, path: Path) -> bytes:
     arrays = _arrays(episode)
     for name, array in arrays.items():
         require_finite(array, path, name)
-    return save(arrays, metadata={"format": EPISODE_FORMAT, "episode": _metadata(episode)})
+    return _in_order(save(arrays, metadata={"format": EPISODE_FORMAT, "episode": _metadata(episode)}))
+
+
+def _in_order(payload: bytes) -> bytes:
+    """The same file with its header's entries sorted: the writer leaves the metadata in an order that changes from process to
+    process, and the same episode has to be the same bytes."""
+    length = int.from_bytes(payload[:8], "little")
+    header = json.dumps(json.loads(payload[8 : 8 + length]), sort_keys=True, separators=(",", ":")).encode()
+    header += b" " * (-len(header) % 8)
+    return len(header).to_bytes(8, "little") + header + payload[8 + length :]
 
 
 def read_episode(header: EpisodeHeader) -> Episode:
