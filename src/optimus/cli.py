@@ -250,7 +250,7 @@ def run(
     episodes: int = 50,
     seed: int = 0,
     workers: int = 0,
-    corrections: bool = False,
+    corrections: bool = True,
     json: bool = False,
 ) -> None:
     """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.

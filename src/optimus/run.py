@@ -34,8 +34,8 @@ from optimus.tasks import task as task_named
 
 DEMONSTRATIONS_PER_MINUTE = 18
 """Of the whole budget: about a sixth of it goes into collecting."""
-CORRECTIONS_PER_MINUTE = 8
-FIRST_SHARE = 0.45
+CORRECTIONS_PER_MINUTE = 7
+FIRST_SHARE = 0.55
 """Of the time that is left for training: the first policy's."""
 EVALUATION_MINUTES = 2.0
 """Kept back for evaluation, films and report."""
@@ -58,7 +58,7 @@ class RunConfig:
     episodes: int = 50
     seed: int = 0
     workers: int = 0
-    corrections: bool = False
+    corrections: bool = True
     """Train a first policy, let it act and the expert answer, and train on those answers too."""
 
     @property
