@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections import Counter
@@ -42,6 +43,8 @@ class CollectConfig:
     expert: ExpertConfig = field(default_factory=lambda: ExpertConfig(perturbation=Perturbation()))
     turns: Turns | None = None
     """Collect corrections: a policy and the expert take turns to act, in place of the perturbation."""
+    max_seconds: float = math.inf
+    """Begin no further attempt after this time, even if that leaves fewer episodes than wanted."""
 
 
 @dataclass(frozen=True)
@@ -120,8 +123,12 @@ def collect(config: CollectConfig, progress: Callable[[int], None] = lambda done
     with executor(config.workers or available_cores()) as pool:
         try:
             while successes < config.episodes:
-                _require_hope(store, successes, failures)
-                while len(pending) < min(config.episodes - successes, 2 * (config.workers or available_cores())):
+                if config.turns is None:
+                    _require_hope(store, successes, failures)
+                late = time.perf_counter() - began > config.max_seconds
+                if late and not pending:
+                    break
+                while not late and len(pending) < min(config.episodes - successes, 2 * (config.workers or available_cores())):
                     pending.add(pool.submit(_attempt, config, next(seeds)))
                 done, pending = wait(pending, return_when=FIRST_COMPLETED)
                 for outcome in (future.result() for future in done):

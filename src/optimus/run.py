@@ -35,6 +35,8 @@ from optimus.tasks import task as task_named
 DEMONSTRATIONS_PER_MINUTE = 18
 """Of the whole budget: about a sixth of it goes into collecting."""
 CORRECTIONS_PER_MINUTE = 7
+CORRECTION_SHARE = 0.13
+"""Of the whole budget, at most, for collecting corrections."""
 FIRST_SHARE = 0.55
 """Of the time that is left for training: the first policy's."""
 EVALUATION_MINUTES = 2.0
@@ -158,7 +160,8 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
 def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
     wanted = max(4, round(CORRECTIONS_PER_MINUTE * config.minutes))
     expert, seed = ExpertConfig(), config.seed + CORRECTION_SEEDS_FROM
-    asked = CollectConfig(config.task, corrections, wanted, seed, config.workers, expert, Turns(first))
+    seconds = CORRECTION_SHARE * 60 * config.minutes  # a poor first policy spoils most of what it touches
+    asked = CollectConfig(config.task, corrections, wanted, seed, config.workers, expert, Turns(first), seconds)
     collect(asked, lambda done: progress("correct", done, wanted, {}))
 
 
