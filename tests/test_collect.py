@@ -42,8 +42,8 @@ def run_until_killed(folder: Path, seconds: float, episodes: int) -> bool:
 
 
 def test_killed_and_restarted_it_ends_with_what_was_asked_for(tmp_path: Path) -> None:
-    moments, folder, wanted = random.Random(1), tmp_path / "data", 12
-    killed = [not run_until_killed(folder, moments.uniform(0.5, 3.5), wanted) for _ in range(20)]
+    moments, folder, wanted = random.Random(1), tmp_path / "data", 40
+    killed = [not run_until_killed(folder, moments.uniform(0.5, 2.5), wanted) for _ in range(20)]
     assert sum(killed) > 10
     while not run_until_killed(folder, 60.0, wanted):
         pass
@@ -53,7 +53,7 @@ def test_killed_and_restarted_it_ends_with_what_was_asked_for(tmp_path: Path) ->
     for seed in store.seeds:
         episode = store.read(seed)
         assert episode.success and len(episode) == len(load_file(store.episode_path(seed))["actions"])
-    whole = collect(CollectConfig("stack", tmp_path / "whole", wanted, workers=1))
+    whole = collect(CollectConfig("stack", tmp_path / "whole", wanted, workers=2))
     assert whole.demonstrations == wanted and contents(folder) == contents(tmp_path / "whole")
 
 
