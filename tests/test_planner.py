@@ -43,12 +43,12 @@ def test_physics_confirms_every_declared_effect(name: str, seed: int) -> None:
 
     def watch(_: ManipulationEnv) -> None:
         nonlocal checked
-        while checked < min(follower.steps_done, len(plan.steps) - 1):
+        while checked < follower.steps_done:
             check(checked)
             checked += 1
 
     episode: Episode = rollout(env, env.observe(), follower, "expert", watch=watch)
-    for rest in range(checked, len(plan.steps)):  # the last skill is over when the arm has come to its end
+    for rest in range(checked, len(plan.steps)):  # success may end the episode before the last motion is through
         check(rest)
     assert episode.success and not wrong, wrong
 

@@ -237,9 +237,15 @@ def evaluate(
     write_json(run / f"evaluation-{states}.json", report)
     if videos is not None:
         film_outcomes(run, starts, report, seed, component, videos)
+    _say({"run": str(run), **report}, json, f"{_rate(report)}; failures: {report['failures']}")
+
+
+def _rate(report: dict[str, Any]) -> str:
+    """`45 of 50 (79 to 96 %)`, and over how few initial states where some came twice."""
     low, high = report["interval"]
-    text = f"{report['successes']} of {report['episodes']} ({100 * low:.0f} to {100 * high:.0f} %); failures: {report['failures']}"
-    _say({"run": str(run), **report}, json, text)
+    few = report["distinct_states"] < report["episodes"]
+    repeated = f", from {report['distinct_states']} distinct initial states" if few else ""
+    return f"{report['successes']} of {report['episodes']} ({100 * low:.0f} to {100 * high:.0f} %{repeated})"
 
 
 def run(
@@ -284,10 +290,7 @@ def run(
     result = run_all(RunConfig(task, out, minutes, demonstrations, episodes, seed, workers, corrections), progress)
     for bar in bars.values():
         bar.close()
-    e = result["evaluation"]
-    low, high = e["interval"]
-    text = f"{e['successes']} of {e['episodes']} ({100 * low:.0f} to {100 * high:.0f} %)\n{result['report']}"
-    _say(result, json, text)
+    _say(result, json, f"{_rate(result['evaluation'])}\n{result['report']}")
 
 
 def bench(

@@ -66,6 +66,7 @@ class EvalReport:
             "states": self.states,
             "successes": self.successes,
             "episodes": self.episodes,
+            "distinct_states": len({o.seed for o in self.outcomes}),
             "interval": list(wilson(self.successes, self.episodes)),
             "paper_rule_successes": sum(o.paper_success for o in self.outcomes),
             "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),

@@ -37,6 +37,8 @@ class TimeLaw:
     """Steps to wait for the tcp to arrive that well; after them, `arrived_late` will do."""
     arrived_late: float = 0.015
     """[m]"""
+    passed: float = 0.035
+    """A skill's last motion is over when the tcp is this near to its end, other motions when the target is there [m]."""
     finger_motion: float = 0.004
     """A gripper action counts as done only when the opening has changed by this much [m]."""
 
@@ -96,6 +98,8 @@ class PlanFollower:
     def __init__(self, plan: Plan, law: TimeLaw | None = None) -> None:
         self.plan, self.law = plan, law or TimeLaw()
         self._segments = plan.segments
+        self._ends = [int(n) - 1 for n in np.cumsum([len(step.segments) for step in plan.steps])]
+        """The index of each skill's last segment."""
         self._index = -1
         self._opening = 0.0
         """Between the fingers when the present segment began [m]."""
@@ -111,11 +115,7 @@ class PlanFollower:
     @property
     def steps_done(self) -> int:
         """How many skills are complete."""
-        done, left = 0, self._index
-        for step in self.plan.steps:
-            left -= len(step.segments)
-            done += left >= 0
-        return done
+        return sum(self._index > end for end in self._ends)
 
     @property
     def slack(self) -> float:
@@ -180,7 +180,7 @@ class PlanFollower:
         if self._s < self._path.length:
             return False
         if not self._stops_at_end():
-            return True
+            return self._index not in self._ends or distance(segment.end, tcp) < law.passed
         near = law.arrived if self._waited < law.patience else law.arrived_late
         return distance(segment.end, tcp) < near
 

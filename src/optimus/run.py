@@ -21,7 +21,7 @@ from typing import Any
 from optimus.collect import CollectConfig, Collected, collect
 from optimus.correct import Turns
 from optimus.data.atomic import make_folder, write_json
-from optimus.data.curate import curate
+from optimus.data.curate import CurationConfig, curate
 from optimus.data.store import EpisodeStore, installed_versions
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
@@ -117,7 +117,7 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     data, policy = config.out / "data", config.out / "policy"
     collected = _timed(journal, "collect", lambda: _collect(config, data, progress))
     journal.value.setdefault("plan_seconds", []).extend(collected.plan_seconds)
-    curation = _timed(journal, "curate", lambda: curate(data))
+    curation = _timed(journal, "curate", lambda: curate(data, CurationConfig(validation_episodes=config.episodes)))
     first, corrections = config.out / "first", config.out / "corrections"
     if config.corrections:
         minutes = journal.settled("first_minutes", lambda: FIRST_SHARE * _minutes_left(config, journal))

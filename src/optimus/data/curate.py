@@ -33,6 +33,8 @@ class CurationConfig:
     """Whether to keep episodes in which the expert had to plan again."""
     validation_share: float = 0.1
     """Share of the kept episodes that is held out."""
+    validation_episodes: int = 0
+    """... or this many if that is more, but never more than a fifth of them: one for each evaluated episode."""
     seed: int = 0
     """Decides which ones are held out."""
 
@@ -135,7 +137,8 @@ def _tracking_error(header: EpisodeHeader) -> float:
 
 def _split(kept: list[int], config: CurationConfig) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Training and validation ids: at least one of each."""
-    count = min(max(1, round(len(kept) * config.validation_share)), len(kept) - 1)
+    wanted = min(config.validation_episodes, len(kept) // 5)
+    count = min(max(1, round(len(kept) * config.validation_share), wanted), len(kept) - 1)
     held_out = np.random.default_rng(config.seed).choice(sorted(kept), size=count, replace=False)
     validation = tuple(sorted(int(seed) for seed in held_out))
     return tuple(seed for seed in sorted(kept) if seed not in set(validation)), validation

@@ -85,7 +85,7 @@ class Place:
             q = carry.q[-1]
             put = goal @ state.held.tcp_from_object
             left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
-            up = goal.shifted((0.0, 0.0, max(workspace.transit_height(left) - goal.pos[2], workspace.style.approach)))
+            up = goal.shifted((0.0, 0.0, max(workspace.transit_height(left) - goal.pos[2], workspace.style.retreat)))
             retreat = workspace.travel("retreat", left, [up], False, rng)
             if retreat is None:
                 continue

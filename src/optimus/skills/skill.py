@@ -28,6 +28,8 @@ class Style:
     """Sideways motion happens this far above everything that stands about [m]."""
     approach: float = 0.06
     """The straight last stretch before a grasp or a release [m]."""
+    retreat: float = 0.09
+    """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
     shuffle: bool = False
     """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
 
