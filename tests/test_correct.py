@@ -4,11 +4,9 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from optimus.collect import CollectConfig, collect
 from optimus.correct import Corrections, Turns
-from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -19,15 +17,6 @@ from optimus.motion.plan import Plan
 from optimus.planner import solve
 from optimus.skills import Workspace
 from optimus.tasks import task
-
-
-@pytest.fixture(scope="module")
-def taught(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    folder = tmp_path_factory.mktemp("taught")
-    collect(CollectConfig("stack", folder / "data", 3, workers=1))
-    curate(folder / "data")
-    train(folder / "data", folder / "policy", TrainConfig(steps=3))
-    return folder / "data", folder / "policy"
 
 
 def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> None:

@@ -10,8 +10,8 @@ from optimus.control import POSITION_SCALE, OperationalSpace
 from optimus.data.episode import PROPRIOCEPTION
 from optimus.env import ManipulationEnv
 from optimus.registration import gym_id
-from optimus.scene import compile_scene
 from optimus.tasks import TASKS, task
+from optimus.world import compile_scene
 
 
 @pytest.mark.parametrize("name", TASKS)

@@ -3,18 +3,14 @@
 from pathlib import Path
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binomtest
 
-from optimus.collect import CollectConfig, collect
-from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.evaluate import evaluate, play, random_starts, validation_starts, wilson
-from optimus.learn.train import TrainConfig, train
 from optimus.tasks import task
 
 
@@ -25,24 +21,15 @@ def test_wilson_interval_agrees_with_scipy(n: int, share: float) -> None:
     np.testing.assert_allclose(wilson(k, n), (expected.low, expected.high), atol=1e-4)
 
 
-@pytest.fixture(scope="module")
-def trained(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    folder = tmp_path_factory.mktemp("run")
-    collect(CollectConfig("stack", folder / "data", 4, workers=1))
-    curate(folder / "data")
-    train(folder / "data", folder / "policy", TrainConfig(steps=4))
-    return folder / "data", folder / "policy"
-
-
-def test_outcomes_do_not_depend_on_the_number_of_workers(trained: tuple[Path, Path]) -> None:
+def test_outcomes_do_not_depend_on_the_number_of_workers(taught: tuple[Path, Path]) -> None:
     starts = random_starts(3)
-    reports = [evaluate(trained[1], starts, "random", workers=w) for w in (1, 2)]
+    reports = [evaluate(taught[1], starts, "random", workers=w) for w in (1, 2)]
     assert reports[0].outcomes == reports[1].outcomes
     assert reports[0].episodes == 3 and all(o.cause for o in reports[0].outcomes if not o.success)
 
 
-def test_validation_starts_are_those_of_the_demonstrations(trained: tuple[Path, Path]) -> None:
-    data, run = trained
+def test_validation_starts_are_those_of_the_demonstrations(taught: tuple[Path, Path]) -> None:
+    data, run = taught
     start = validation_starts(data, 1)[0]
     episode, _ = play(run, start, seed=0)
     recorded = EpisodeStore.open(data).read(start.seed)

@@ -5,10 +5,10 @@ import pytest
 
 from optimus.collision import CollisionChecker
 from optimus.kinematics import Kinematics
-from optimus.scene import World, compile_scene
 from optimus.se3 import Pose, error_between
 from optimus.state import State
 from optimus.tasks import task
+from optimus.world import World, compile_scene
 
 
 @pytest.fixture(scope="module")

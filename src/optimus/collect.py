@@ -20,9 +20,9 @@ from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError
 from optimus.rollout import Perturbation
-from optimus.scene import compile_scene
 from optimus.tasks import task as task_named
 from optimus.workers import available_cores, executor
+from optimus.world import compile_scene
 
 GIVE_UP_AFTER = 30
 """Attempts without a single success."""

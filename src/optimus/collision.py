@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from optimus.scene import World
 from optimus.se3 import Array, Pose
 from optimus.state import State
+from optimus.world import World
 
 ROBOT_DEPTH = 0.0005
 """Contacts of the robot shallower than this are touches, not collisions [m]."""

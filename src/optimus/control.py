@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from optimus.scene import World
 from optimus.se3 import Array, Pose, error_between, quat_from_rotvec, quat_mul
+from optimus.world import World
 
 CONTROL_HZ = 20
 POSITION_SCALE = 0.05

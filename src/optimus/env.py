@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 from optimus.control import CONTROL_HZ, OperationalSpace, OscConfig
 from optimus.data.episode import ACTION_DIM, IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
 from optimus.render import Rig
-from optimus.scene import PHYSICS_DT, Camera, World, compile_scene
+from optimus.scene import Camera
 from optimus.se3 import Array
+from optimus.spec import PHYSICS_DT
 from optimus.state import State
 from optimus.task import Problem, Task
+from optimus.world import World, compile_scene
 
 SUBSTEPS = round(1 / (CONTROL_HZ * PHYSICS_DT))
 FULL_STATE = mujoco.mjtState.mjSTATE_INTEGRATION

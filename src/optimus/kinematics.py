@@ -8,8 +8,8 @@ import frankik
 import mujoco
 import numpy as np
 
-from optimus.scene import World
 from optimus.se3 import Array, Pose, error_between
+from optimus.world import World
 
 POSITION_TOLERANCE = 2e-4
 """[m]"""

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from optimus.errors import ModelError
 from optimus.objects.shapes import Rgba
-from optimus.scene import Camera, World
+from optimus.scene import Camera
 from optimus.se3 import Array
+from optimus.world import World
 
 
 class Rig:

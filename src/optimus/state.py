@@ -21,7 +21,7 @@ class State:
 
     `q` `(dof,)` [rad]; `opening` is the distance between the fingers [m]; `poses` are `base_from_object`; `touched` are the
     movables in contact with the robot; `speeds` [m/s] are zero where not given (a planned state is at rest); `tcp` is
-    `base_from_tcp`.
+    `base_from_tcp`; `doors` says how far each is open [rad].
     """
 
     q: Array
@@ -31,6 +31,11 @@ class State:
     held: Held | None = None
     touched: frozenset[str] = frozenset()
     speeds: dict[str, float] = field(default_factory=dict)
+    doors: dict[str, float] = field(default_factory=dict)
+
+    def swung(self, door: str, angle: float) -> State:
+        """The same state with one door open by `angle` [rad]."""
+        return replace(self, doors={**self.doors, door: angle})
 
     def moved(self, name: str, pose: Pose) -> State:
         """The same state with one movable elsewhere."""

@@ -12,6 +12,8 @@ from optimus.collision import CollisionChecker
 from optimus.kinematics import Kinematics
 from optimus.se3 import Array
 
+QUERIES = 6000
+"""Collision checks after which a search is given up: a count, not a time, so that a slow machine finds the same path."""
 JOINT_STEP = 0.05
 """Largest joint change between checked configurations [rad]."""
 
@@ -31,7 +33,7 @@ def is_free(checker: CollisionChecker, path: Array) -> bool:
 
 
 def connect(
-    kinematics: Kinematics, checker: CollisionChecker, start: Array, end: Array, rng: np.random.Generator, seconds: float = 1.0
+    kinematics: Kinematics, checker: CollisionChecker, start: Array, end: Array, rng: np.random.Generator, queries: int = QUERIES
 ) -> Array | None:
     """A free joint path `(T, dof)` from `start` to `end`, or None. Random only through `rng`."""
     line = joint_line(start, end)
@@ -39,12 +41,12 @@ def connect(
         return line
     if checker.check(end) is not None or checker.check(start) is not None:
         return None
-    found = _rrt_connect(kinematics, checker, start, end, rng, seconds)
+    found = _rrt_connect(kinematics, checker, start, end, rng, queries)
     return None if found is None else _shortcut(checker, found, rng)
 
 
 def _rrt_connect(
-    kinematics: Kinematics, checker: CollisionChecker, start: Array, end: Array, rng: np.random.Generator, seconds: float
+    kinematics: Kinematics, checker: CollisionChecker, start: Array, end: Array, rng: np.random.Generator, queries: int
 ) -> Array | None:
     dof = len(start)
     space = base.RealVectorStateSpace(dof)
@@ -54,7 +56,14 @@ def _rrt_connect(
         bounds.setHigh(i, float(kinematics.high[i]))
     space.setBounds(bounds)
     setup = geometric.SimpleSetup(space)
-    setup.setStateValidityChecker(lambda s: checker.check(_read(s, dof)) is None)
+    asked = 0
+
+    def is_valid(state: Any) -> bool:
+        nonlocal asked
+        asked += 1
+        return checker.check(_read(state, dof)) is None
+
+    setup.setStateValidityChecker(is_valid)
     setup.getSpaceInformation().setStateValidityCheckingResolution(0.01)
     ends = []
     for q in (start, end):
@@ -67,7 +76,7 @@ def _rrt_connect(
     util.RNG.setSeed(int(rng.integers(1, 2**31)))
     planner = geometric.RRTConnect(setup.getSpaceInformation())
     setup.setPlanner(planner)
-    if not setup.solve(seconds) or not setup.haveExactSolutionPath():
+    if not setup.solve(base.PlannerTerminationCondition(lambda: asked > queries)) or not setup.haveExactSolutionPath():
         return None
     states = setup.getSolutionPath().getStates()
     return np.array([_read(s, dof) for s in states])

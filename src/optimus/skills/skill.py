@@ -13,9 +13,10 @@ from optimus.kinematics import Kinematics
 from optimus.logic import Facts, Operator
 from optimus.motion import lines, sampling
 from optimus.motion.plan import Segment
-from optimus.scene import Scene, World
+from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between
 from optimus.state import State
+from optimus.world import World
 
 T = TypeVar("T")
 

@@ -1,0 +1,126 @@
+"""`World`: a scene compiled into the one MuJoCo model that physics, kinematics, collision and rendering share."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import mujoco
+import numpy as np
+
+from optimus.errors import ModelError
+from optimus.scene import Scene
+from optimus.se3 import Pose
+from optimus.spec import BAR_SUFFIX, HAND_PREFIX, world_spec
+from optimus.state import Held, State
+
+
+class World:
+    """A compiled scene: the one `MjModel` and the addresses of everything in it. Build with `compile_scene`."""
+
+    def __init__(self, scene: Scene) -> None:
+        try:
+            self.model: mujoco.MjModel = world_spec(scene).compile()
+        except ValueError as error:
+            raise ModelError(f"the scene does not compile: {error}") from error
+        m, robot = self.model, scene.robot
+        self.scene = scene
+        joints = [m.joint(HAND_PREFIX + name) for name in robot.joints]
+        fingers = [m.joint(HAND_PREFIX + name) for name in robot.fingers]
+        self.arm_qpos = np.array([int(j.qposadr[0]) for j in joints])
+        self.arm_dof = np.array([int(j.dofadr[0]) for j in joints])
+        self.arm_range = np.array([j.range for j in joints])
+        self.arm_ctrl = np.array([self._actuator_of(int(j.id)) for j in joints])
+        self.finger_qpos = np.array([int(j.qposadr[0]) for j in fingers])
+        self.gripper_ctrl = int(m.actuator(HAND_PREFIX + robot.gripper_actuator).id)
+        self.tcp_site = int(m.site(HAND_PREFIX + "tcp").id)
+        self.hand_body = int(m.body(HAND_PREFIX + robot.hand).id)
+        self.finger_bodies = tuple(int(m.body(HAND_PREFIX + n).id) for n in robot.finger_bodies)
+        self.movable_qpos = {n: int(m.joint(n).qposadr[0]) for n in scene.movable_names}
+        self.movable_dof = {n: int(m.joint(n).dofadr[0]) for n in scene.movable_names}
+        doors = [d.name for d in scene.doors]
+        self.door_qpos = {n: int(m.joint(n).qposadr[0]) for n in doors}
+        self.bar_geoms = {n: int(m.geom(n + BAR_SUFFIX).id) for n in doors}
+        self.body_ids = {n: int(m.body(n).id) for n in (*scene.movable_names, *scene.fixture_poses, *doors)}
+        self.body_names = {v: k for k, v in self.body_ids.items()}
+        root = int(m.body_rootid[self.hand_body])
+        self.robot_bodies = frozenset(int(i) for i in np.flatnonzero(m.body_rootid == root))
+        self.home = np.array(robot.home)
+
+    def _actuator_of(self, joint_id: int) -> int:
+        m = self.model
+        is_joint = m.actuator_trntype == mujoco.mjtTrn.mjTRN_JOINT
+        return int(np.flatnonzero(is_joint & (m.actuator_trnid[:, 0] == joint_id))[0])
+
+    @property
+    def image_cameras(self) -> tuple[str, ...]:
+        """The cameras as observations name them; the wrist's last."""
+        return (*(c.name for c in self.scene.cameras), "robot0_eye_in_hand")
+
+    def camera_id(self, name: str) -> int:
+        model_name = HAND_PREFIX + "eye_in_hand" if name == "robot0_eye_in_hand" else name
+        return int(self.model.camera(model_name).id)
+
+    # ---- between MuJoCo's vectors and State
+
+    def write(self, data: mujoco.MjData, state: State) -> None:
+        """Put `data` at rest in `state` and bring its kinematics up to date."""
+        mujoco.mj_resetData(self.model, data)
+        self.write_qpos(data, state)
+        data.ctrl[self.gripper_ctrl] = 255.0 * state.opening / (2 * self.scene.robot.finger_travel)
+        mujoco.mj_forward(self.model, data)
+
+    def write_qpos(self, data: mujoco.MjData, state: State) -> None:
+        """The positions alone: no kinematics, no reset."""
+        data.qpos[self.arm_qpos] = state.q
+        data.qpos[self.finger_qpos] = state.opening / 2
+        for name, pose in state.poses.items():
+            at = self.movable_qpos[name]
+            data.qpos[at : at + 3] = pose.pos
+            data.qpos[at + 3 : at + 7] = pose.quat
+        for name, angle in state.doors.items():
+            data.qpos[self.door_qpos[name]] = angle
+
+    def tcp(self, data: mujoco.MjData) -> Pose:
+        """`base_from_tcp` as of the last kinematics."""
+        return Pose.from_matrix(data.site_xpos[self.tcp_site].copy(), data.site_xmat[self.tcp_site].reshape(3, 3))
+
+    def object_pose(self, data: mujoco.MjData, name: str) -> Pose:
+        at = self.movable_qpos[name]
+        return Pose(data.qpos[at : at + 3].copy(), data.qpos[at + 3 : at + 7].copy())
+
+    def state(self, data: mujoco.MjData) -> State:
+        """The kinematic snapshot of a running simulation, with what the fingers hold."""
+        poses = {n: self.object_pose(data, n) for n in self.scene.movable_names}
+        touched = self._touched_by_fingers(data)
+        held = [n for n in poses if len(touched.get(n, ())) == 2]
+        tcp = self.tcp(data)
+        speeds = {n: float(np.linalg.norm(data.qvel[d : d + 3])) for n, d in self.movable_dof.items()}
+        return State(
+            q=data.qpos[self.arm_qpos].copy(),
+            opening=float(data.qpos[self.finger_qpos].sum()),
+            poses=poses,
+            held=Held(held[0], tcp.inverse @ poses[held[0]]) if held else None,
+            touched=frozenset(touched),
+            speeds=speeds,
+            tcp=tcp,
+            doors={n: float(data.qpos[at]) for n, at in self.door_qpos.items()},
+        )
+
+    def _touched_by_fingers(self, data: mujoco.MjData) -> dict[str, set[int]]:
+        """Which movables are in contact with the robot, and with which of its fingers."""
+        touched: dict[str, set[int]] = {}
+        for geom_a, geom_b in data.contact.geom[: data.ncon]:
+            a, b = int(self.model.geom_bodyid[geom_a]), int(self.model.geom_bodyid[geom_b])
+            if b in self.robot_bodies:
+                a, b = b, a
+            if a in self.robot_bodies and self.body_names.get(b) in self.movable_qpos:
+                fingers = touched.setdefault(self.body_names[b], set())
+                if a in self.finger_bodies:
+                    fingers.add(a)
+        return touched
+
+
+@lru_cache(maxsize=8)
+def compile_scene(scene: Scene) -> World:
+    """The scene's compiled model; equal scenes share one (it is never written to after compiling)."""
+    return World(scene)
