@@ -161,6 +161,20 @@ def test_labels_of_repeated_frames_do_not_count(policy: Policy, windows: Windows
     assert batch.weight.sum() == 1
 
 
+def test_a_small_part_of_the_mixture_does_not_open_the_hand(policy: Policy) -> None:
+    agent = PolicyAgent(policy)
+    agent.reset(0)
+
+    def answer(weight_of_shut: float) -> bool:
+        logits = torch.tensor([[weight_of_shut, 1 - weight_of_shut]]).log()
+        mean = torch.zeros(1, 2, 7)
+        mean[0, :, 6] = torch.tensor([0.9, -0.9])
+        agent._shut = agent._vote(Mixture(logits, mean, torch.ones_like(mean)))
+        return agent._shut
+
+    assert [answer(w) for w in (0.1, 0.9, 0.85, 0.5, 0.1)] == [False, True, True, False, False]
+
+
 def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -> None:
     episode = make_episode(5, 12)
     agent = PolicyAgent(policy, "likeliest")
@@ -174,7 +188,7 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
             features = policy.features(policy.tokens(policy.frames(images, low)))[:, -1]
             expected = policy.denormalise(policy.mixture(features).likeliest())[0].numpy()
         np.testing.assert_allclose(answers[t][:6], expected[:6].clip(-1, 1), atol=1e-5)
-        assert answers[t][6] == (1 if expected[6] > 0 else -1)
+        assert answers[t][6] in (-1, 1)
         assert answers[t].dtype == np.float32 and answers[t].shape == (7,)
 
 

@@ -201,7 +201,7 @@ def evaluate(
     states: Literal["validation", "random"] = "validation",
     seed: int = 0,
     workers: int = 0,
-    component: Literal["sampled", "likeliest"] = "sampled",
+    component: Literal["sampled", "likeliest", "paper"] = "sampled",
     task: str | None = None,
     videos: Path | None = None,
     json: bool = False,
@@ -215,7 +215,7 @@ def evaluate(
     Args:
         dataset: whose validation states to start from; needed for --states validation
         states: start from the validation demonstrations' states, or from fresh random ones
-        component: of the action mixture: one sampled by its weight, or the likeliest
+        component: of the action mixture: one sampled by its weight, or the likeliest; the gripper by vote, except with `paper`
         task: refuse a policy that was trained for another task
         videos: write short films of successes and failures to this folder
     """

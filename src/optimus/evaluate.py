@@ -9,7 +9,7 @@ from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import torch
@@ -21,7 +21,7 @@ from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
 from optimus.learn import checkpoint
-from optimus.learn.agent import PolicyAgent
+from optimus.learn.agent import Component, PolicyAgent
 from optimus.rollout import rollout
 from optimus.show import Film, png
 from optimus.tasks import task as task_named
@@ -103,9 +103,6 @@ def validation_starts(dataset: Path, episodes: int) -> list[Start]:
 def random_starts(episodes: int, seed: int = 0) -> list[Start]:
     """Fresh problems that no dataset holds."""
     return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i) for i in range(episodes)]
-
-
-Component = Literal["sampled", "likeliest"]
 
 
 @lru_cache(maxsize=1)

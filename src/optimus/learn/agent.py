@@ -15,25 +15,33 @@ from optimus.data.episode import IMAGE_SUFFIX, Observation
 from optimus.data.windows import GRIPPER
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
+from optimus.learn.heads import Mixture
 from optimus.learn.policy import Policy
+
+Component = Literal["sampled", "likeliest", "paper"]
+
+GRIPPER_CHANGES_AT = 0.25
+"""Weight of the mixture (docs/results/first-policies.md)."""
 
 
 class PolicyAgent:
     """Acts on the newest frames: each is encoded once, the transformer sees the tokens of the last few.
 
     `component` says which mean of the mixture is the answer: one `sampled` by weight, or that of the
-    `likeliest`, which may freeze where the demonstrations stood still.
+    `likeliest`, which may freeze where the demonstrations stood still. The gripper is a decision, and one wrong step of it drops
+    what is held: it changes only when components of `GRIPPER_CHANGES_AT` weight agree to. `paper` takes all of the sampled mean,
+    the gripper too.
     """
 
     def __init__(
         self,
         policy: Policy | Path | str,
-        component: Literal["sampled", "likeliest"] = "sampled",
+        component: Component = "sampled",
         task: str | None = None,
     ) -> None:
         self.policy = policy if isinstance(policy, Policy) else checkpoint.load(policy, task)
         self.policy.eval()
-        self.component = component
+        self.component: Component = component
         self._tokens: deque[Tensor] = deque(maxlen=self.policy.config.context)
         self._noise = torch.Generator()
         self.reset(0)
@@ -41,6 +49,7 @@ class PolicyAgent:
     def reset(self, seed: int) -> None:
         """Forget the frames; the answers that follow are a function of the seed and the observations."""
         self._tokens.clear()
+        self._shut = False
         self._noise.manual_seed(seed)
 
     @torch.inference_mode()
@@ -51,10 +60,17 @@ class PolicyAgent:
         self._tokens.extend([token] * (1 if self._tokens else self.policy.config.context))
         features = self.policy.features(torch.stack(list(self._tokens), 1))[:, -1]
         mixture = self.policy.mixture(features)
-        answer = mixture.sampled(self._noise) if self.component == "sampled" else mixture.likeliest()
+        answer = mixture.likeliest() if self.component == "likeliest" else mixture.sampled(self._noise)
         action = self.policy.denormalise(answer)[0].numpy().astype(np.float32)
-        action[GRIPPER] = 1.0 if action[GRIPPER] > 0 else -1.0
+        self._shut = bool(action[GRIPPER] > 0) if self.component == "paper" else self._vote(mixture)
+        action[GRIPPER] = 1.0 if self._shut else -1.0
         return action.clip(-1, 1)
+
+    def _vote(self, mixture: Mixture) -> bool:
+        """Whether the gripper is to be shut: as it was, unless enough of the mixture's weight says otherwise."""
+        weight = torch.softmax(mixture.logits[0], -1)
+        otherwise = float(weight[(mixture.mean[0, :, GRIPPER] > 0) != self._shut].sum())
+        return self._shut != (otherwise > GRIPPER_CHANGES_AT)
 
     def _encode(self, observation: Observation) -> Tensor:
         """The token `(1, width)` of one frame."""
