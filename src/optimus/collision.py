@@ -36,12 +36,18 @@ class CollisionChecker:
         self._finger_geom = np.isin(bodies, [*world.finger_bodies, world.hand_body])
         self._held_geom = np.zeros_like(self._robot_geom)
         self._held: tuple[int, Pose] | None = None
+        self._bar_geom = -1
 
-    def look_at(self, state: State) -> None:
-        """Take the surroundings, the hand's opening and what it holds from `state`; the queries then vary only `q`."""
+    def look_at(self, state: State, pulled: str | None = None) -> None:
+        """Take the surroundings, the hand's opening and what it holds from `state`; the queries then vary only `q`.
+
+        `pulled` is a door whose bar the fingers have hold of: they may touch it, and it may touch nothing else."""
         self.world.write_qpos(self._data, state)
-        self._held = None
+        self._held, self._bar_geom = None, -1
         self._held_geom[:] = False
+        if pulled is not None:
+            self._held_geom = self.world.model.geom_bodyid == self.world.body_ids[pulled]
+            self._bar_geom = self.world.bar_geoms[pulled]
         if state.held is not None:
             self._held = (self.world.movable_qpos[state.held.name], state.held.tcp_from_object)
             self._held_geom = self.world.model.geom_bodyid == self.world.body_ids[state.held.name]
@@ -68,6 +74,8 @@ class CollisionChecker:
         depth = -contact.dist[:n]
         with_held = held.any(axis=1)
         gripped = with_held & self._finger_geom[geoms].any(axis=1)
+        if self._bar_geom >= 0:  # of a door, only the bar is there to be gripped
+            gripped &= (geoms == self._bar_geom).any(axis=1)
         limit = np.where(with_held, HELD_DEPTH, ROBOT_DEPTH)
         bad = (robot | held).any(axis=1) & ~gripped & (depth > limit)
         if not bad.any():

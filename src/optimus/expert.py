@@ -122,6 +122,8 @@ class PlanFollower:
         """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, else all."""
         if self._path is None:
             return 0.0
+        if self._segments[self._index].steady:
+            return 0.0
         left = self._path.length - self._s
         return min(1.0, left / 0.10) if self._stops_at_end() else 1.0
 
@@ -151,17 +153,16 @@ class PlanFollower:
         if self._path is None:
             self._waited += 1
         else:
-            wanted = self._advance(self._path, target)
+            wanted = self._advance(self._path, target, segment.speed or self.law.speed)
             self.errors.append(self._path.gap(tcp, self._s))
         delta = np.clip(error_between(wanted, target) / SCALE, -1.0, 1.0)
         return np.array([*delta, 1.0 if segment.shut else -1.0], np.float32)
 
-    def _advance(self, path: _Path, target: Pose) -> Pose:
+    def _advance(self, path: _Path, target: Pose, speed: float) -> Pose:
         law = self.law
         self._s = path.nearest(target, self._s, window=0.04)
         offset = error_between(target, path.pose(self._s))
         away = max(float(np.linalg.norm(offset[:3])), TURN_WEIGHT * float(np.linalg.norm(offset[3:])))
-        speed = law.speed
         if self._stops_at_end():
             speed = min(speed, law.slowest + law.braking * (path.length - self._s))
         speed *= max(0.0, 1.0 - away / law.patience_offset)

@@ -13,6 +13,9 @@ from optimus.logic import Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.predicates import facts_of, holds
 from optimus.skills import SKILLS, Workspace
+from optimus.skills.pick import Pick
+from optimus.skills.place import Place
+from optimus.skills.skill import Purpose
 from optimus.state import State
 
 
@@ -45,6 +48,7 @@ class _Binding:
             return ()
         operator = skeleton[0]
         self.workspace.failures.clear()
+        self.workspace.purpose = self._purpose(operator, skeleton[1:])
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
             rest = None
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
@@ -56,6 +60,15 @@ class _Binding:
             self.workspace.failures.clear()
         self._remember(operator, depth)
         return None
+
+    def _purpose(self, operator: Operator, rest: Skeleton) -> Purpose | None:
+        """What comes next of the thing that `operator` picks up."""
+        following = next((o for o in rest if o.args[:1] == operator.args[:1]), None)
+        skill = SKILLS[following.skill] if following else None
+        if operator.skill != Pick.name or following is None or not isinstance(skill, Place):
+            return None
+        args, rng = following.args, np.random.default_rng(0)
+        return Purpose(args[1], lambda state: skill.possible(self.workspace, state, args, rng))
 
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)

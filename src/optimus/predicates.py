@@ -15,6 +15,10 @@ REST_SPEED = 0.01
 """... and it is settled below this speed [m/s]."""
 UPRIGHT = 0.97
 """The cosine of the largest tilt at which a thing still counts as standing (14 degrees)."""
+OPEN_FROM = 1.4
+"""A door counts as open from this angle on [rad], 80 degrees."""
+SHUT_TO = 0.05
+"""... and as shut up to this one [rad]."""
 HAND_CLEAR = 0.05
 """The hand is clear of a thing when the tcp is this far above or beside it [m]."""
 
@@ -61,20 +65,42 @@ def _released(scene: Scene, state: State, thing: str) -> bool:
     return bool(np.linalg.norm(np.maximum(local, 0.0)) >= HAND_CLEAR)
 
 
+def _open(scene: Scene, state: State, door: str) -> bool:
+    return state.doors[door] >= OPEN_FROM
+
+
+def _shut(scene: Scene, state: State, door: str) -> bool:
+    return state.doors[door] <= SHUT_TO
+
+
 On = Predicate("On", ("movable", "support"), _on)
 Holding = Predicate("Holding", ("movable",), _holding)
 HandEmpty = Predicate("HandEmpty", (), _hand_empty)
 Clear = Predicate("Clear", ("movable",), _clear)
 Released = Predicate("Released", ("movable",), _released)
+Open = Predicate("Open", ("door",), _open)
+Shut = Predicate("Shut", ("door",), _shut)
 
-PREDICATES: dict[str, Predicate] = {p.name: p for p in (On, Holding, HandEmpty, Clear, Released)}
+PREDICATES: dict[str, Predicate] = {p.name: p for p in (On, Holding, HandEmpty, Clear, Released, Open, Shut)}
 
 
 def kinds_of(scene: Scene) -> dict[str, tuple[str, ...]]:
-    """The names in a scene, by kind: movables, fixtures, and all that can carry something."""
+    """The names in a scene, by kind: movables, fixtures, all that can carry something, doors."""
     fixtures = tuple(f.name for f in scene.fixtures if f.shape.surface is not None)
     carriers = tuple(m.name for m in scene.movables if m.shape.surface is not None)
-    return {"movable": scene.movable_names, "fixture": fixtures, "carrier": carriers, "support": (*carriers, *fixtures)}
+    return {
+        "movable": scene.movable_names,
+        "fixture": fixtures,
+        "carrier": carriers,
+        "support": (*carriers, *fixtures),
+        "door": tuple(d.name for d in scene.doors),
+    }
+
+
+def way_open(scene: Scene, support: str) -> Facts:
+    """What has to hold before a hand can get at what stands on `support`: that the door before it, if any, is open."""
+    door = scene.door_before(support)
+    return frozenset() if door is None else frozenset({Open(door)})
 
 
 def holds(scene: Scene, state: State, atom: Atom) -> bool:

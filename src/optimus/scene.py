@@ -9,7 +9,12 @@ import numpy as np
 
 from optimus.objects.shapes import Shape, Vec3
 from optimus.robots import Robot
-from optimus.se3 import Pose, quat_from_rotvec
+from optimus.se3 import Array, Pose, quat_from_rotvec
+
+ROOF_FROM, ROOF_TO = 0.02, 0.45
+"""What is this much above a point is over it, and within a hand's and a wrist's length [m]."""
+HAND_REACH = 0.10
+"""A hand at a bar reaches this far beyond it [m]."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +31,17 @@ class Fixture:
     @property
     def pose(self) -> Pose:
         return Pose.of(self.pos, (0.0, 0.0, self.yaw))
+
+    @cached_property
+    def boxes(self) -> tuple[tuple[Array, Array], ...]:
+        """The lower and upper corner `(3,)` [m] of each part's bounding box, base frame."""
+        found = []
+        for part in self.shape.parts:
+            turn = self.pose @ Pose(np.array(part.pos), np.array(part.quat))
+            size = {"box": part.size, "cylinder": (part.size[0], part.size[0], part.size[-1]), "sphere": (part.size[0],) * 3}
+            half = np.abs(turn.matrix) @ np.array(size[part.kind])
+            found.append((turn.pos - half, turn.pos + half))
+        return tuple(found)
 
 
 @dataclass(frozen=True)
@@ -107,3 +123,48 @@ class Scene:
     def door_before(self, support: str) -> str | None:
         """The door that the support's surface lies behind, if any."""
         return next((f.door for f in self.fixtures if f.name == support), None)
+
+    def top_along(self, fixture: Fixture, start: Array, end: Array, margin: float) -> float:
+        """The height [m] of the highest part of `fixture` within `margin` [m] of the level way from `start` to `end`; the floor's
+        (0) without one."""
+        samples = np.linspace(start[:2], end[:2], 12)
+        tops = [0.0]
+        for low, high in fixture.boxes:
+            gaps = np.maximum(np.maximum(low[:2] - samples, samples - high[:2]), 0.0)
+            if np.linalg.norm(gaps, axis=1).min() <= margin:
+                tops.append(float(high[2]))
+        return max(tops)
+
+    def is_roofed(self, point: Array, margin: float) -> bool:
+        """Whether some fixture is overhead, within `margin` [m] sideways and so low that a hand from above would meet it."""
+        return any(
+            np.all(point[:2] > low[:2] - margin)
+            and np.all(point[:2] < high[:2] + margin)
+            and ROOF_FROM < low[2] - point[2] < ROOF_TO
+            for fixture in self.fixtures
+            for low, high in fixture.boxes
+        )
+
+    def is_covered(self, point: Array, margin: float, support: str) -> bool:
+        """Whether another fixture than `support` stands on `point`, or within `margin` [m] of it."""
+        return any(
+            np.all(point[:2] > low[:2] - margin)
+            and np.all(point[:2] < high[:2] + margin)
+            and low[2] - 0.05 < point[2] < high[2] - 1e-3
+            for fixture in self.fixtures
+            if fixture.name != support
+            for low, high in fixture.boxes
+        )
+
+    def in_swing(self, point: Array, radius: float, support: str) -> bool:
+        """Whether a thing of `radius` [m] at `point` would be in the way of a door, or of the hand that pulls it. What lies behind
+        a door is not."""
+        for door in self.doors:
+            if self.door_before(support) == door.name:
+                continue
+            local = door.pose(0.0).inverse.transform(point)
+            reach = door.shape.half_extents[1] * 2 + HAND_REACH + radius
+            # towards the arm is -x of the door's frame; a hand's breadth behind the hinge's line still counts
+            if float(np.hypot(*local[:2])) < reach and local[0] < 0.0 and local[1] * door.bar.pos[1] > -HAND_REACH:
+                return True
+        return False

@@ -9,6 +9,7 @@ import numpy as np
 
 from optimus.errors import ModelError
 from optimus.logic import Facts
+from optimus.objects.shapes import Shape
 from optimus.predicates import Released, holds
 from optimus.scene import Scene
 from optimus.se3 import Pose
@@ -47,6 +48,11 @@ class Task:
     def problem(self, seed: int) -> Problem:
         """The problem of that seed: the same one every time, on every machine."""
         return self.draw(np.random.default_rng([seed, 0x0971]))
+
+
+def footprint(shape: Shape) -> float:
+    """The radius [m] of the disc that a standing thing covers, whatever its yaw."""
+    return shape.half_extents[0] if shape.symmetric else float(np.hypot(*shape.half_extents[:2]))
 
 
 def sample_apart(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,12 @@ class Segment:
     poses: tuple[Pose, ...]
     shut: bool
     gripper_action: bool = False
+    speed: float | None = None
+    """The follower goes no faster than this here [m/s]."""
+    steady: bool = False
+    """Nothing may push the hand here: it has hold of something that is not free to come along."""
+    doors: dict[str, Array] = field(default_factory=dict)
+    """How far each door that is moved by it is open at each waypoint, `(T,)` [rad]."""
 
     @property
     def end(self) -> Pose:

@@ -59,7 +59,7 @@ class Shape:
     """True for a body of revolution about z: its yaw means nothing."""
 
 
-def _top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:
+def top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:
     """From straight above, tcp at height `z` of the object's frame, fingers closing along the direction `yaw` [rad]."""
     c, s = np.cos(yaw), np.sin(yaw)
     # columns: tcp x, y (closing direction), z (down)
@@ -77,7 +77,7 @@ def block(edge: float, rgba: Rgba, mass: float = 0.05) -> Shape:
         half_extents=(half, half, half),
         mass=mass,
         rgba=rgba,
-        grasps=tuple(_top_grasp(k * np.pi / 2, 0.0) for k in range(4)),
+        grasps=tuple(top_grasp(k * np.pi / 2, 0.0) for k in range(4)),
         surface=Surface(half, half, half),
     )
 
@@ -91,7 +91,7 @@ def cylinder(radius: float, height: float, rgba: Rgba, mass: float = 0.08) -> Sh
         half_extents=(radius, radius, half),
         mass=mass,
         rgba=rgba,
-        grasps=tuple(_top_grasp(k * np.pi / 8, max(0.0, half - 0.025)) for k in range(16)),
+        grasps=tuple(top_grasp(k * np.pi / 8, max(0.0, half - 0.025)) for k in range(16)),
         surface=Surface(half, radius / np.sqrt(2), radius / np.sqrt(2)),
         symmetric=True,
     )
@@ -121,7 +121,7 @@ def cup(radius: float, height: float, rgba: Rgba, mass: float = 0.08, wall: floa
         mass=mass,
         rgba=rgba,
         # one grasp a pair of opposite panels, so that the pads meet flat faces
-        grasps=tuple(_top_grasp(2 * np.pi * k / sides, half - 0.025) for k in range(sides)),
+        grasps=tuple(top_grasp(2 * np.pi * k / sides, half - 0.025) for k in range(sides)),
         symmetric=True,
     )
 

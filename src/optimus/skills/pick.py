@@ -9,11 +9,16 @@ from typing import ClassVar
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
-from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of
+from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Pose, quat_from_rotvec, quat_mul
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import Held, State
+
+UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
+"""Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
+LEANING = tuple(np.radians((-45.0, -30.0, -60.0, 0.0)))
+"""The same where there is a roof; 45 degrees serves most (docs/architecture.md)."""
 
 
 class Pick:
@@ -28,39 +33,54 @@ class Pick:
             yield Operator(
                 skill=self.name,
                 args=(thing, support),
-                needs=frozenset({HandEmpty(), Clear(thing), On(thing, support)}),
+                needs=frozenset({HandEmpty(), Clear(thing), On(thing, support)}) | way_open(scene, support),
                 adds=frozenset({Holding(thing), *uncovered}),
                 deletes=frozenset({HandEmpty(), On(thing, support), Released(thing)}),
             )
 
-    def grasps(self, workspace: Workspace, state: State, thing: str) -> list[Pose]:
-        """Tcp poses to take `thing` at, `base_from_tcp`: those nearest to the hand's home orientation first."""
-        at, shape = state.poses[thing], workspace.scene.shape_of(thing)
+    def grasps(self, workspace: Workspace, state: State, thing: str) -> Iterator[Pose]:
+        """Tcp poses to take `thing` at, `base_from_tcp`: from above before leaning, those nearest to the hand's home orientation
+        first. Where the thing stands or goes under a roof, leaning comes first."""
+        at, shape, purpose = state.poses[thing], workspace.scene.shape_of(thing), workspace.purpose
         if shape.symmetric:
             # its yaw cannot be seen, so no answer may depend on it
             at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
-        poses = [at @ grasp.pose for grasp in shape.grasps]
-        return sorted(poses, key=lambda pose: round(workspace.turn_from_home(pose), 6))
+        points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
+        roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
+        for tilt in LEANING if roofed else UPRIGHT:
+            lean = Pose.of(rotvec=(0.0, tilt, 0.0))
+            poses = [at @ grasp.pose @ lean for grasp in shape.grasps]
+            yield from sorted(poses, key=lambda pose: (round(_turned(workspace, pose, tilt), 6), round(pose.quat[0], 6)))
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
-        thing = args[0]
-        height = workspace.transit_height(state)
-        for goal in workspace.order(self.grasps(workspace, state, thing), rng):
-            corners = workspace.over_and_down(state, goal, height)
-            reach = workspace.travel("reach", state, corners, False, rng, via=True)
-            if reach is None:
-                continue
-            q = reach.q[-1]
+        thing, purpose = args[0], workspace.purpose
+        for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
             held = Held(thing, goal.inverse @ state.poses[thing])
-            taken = replace(state, q=q, tcp=goal, held=held, opening=0.0)
-            up = goal.shifted((0.0, 0.0, max(workspace.transit_height(taken) - goal.pos[2], workspace.style.approach)))
-            lift = workspace.travel("lift", taken, [up], True, rng)
-            if lift is None:
+            taken = replace(state, tcp=goal, held=held, opening=0.0)
+            if purpose is not None and not purpose.possible(taken):
                 continue
-            after = replace(taken, q=lift.q[-1], tcp=up).moved(thing, up @ held.tcp_from_object)
-            yield (reach, gripper_action("close", q, goal, True), lift), after
+            for way in workspace.ways(state, goal):
+                reach = workspace.travel("reach", state, way.corners, False, rng, way.straight)
+                if reach is None:
+                    continue
+                q = reach.q[-1]
+                taken = replace(taken, q=q)
+                back = workspace.way_back(taken, goal, way)
+                lift = workspace.travel("lift", taken, back, True, rng)
+                if lift is None:
+                    continue
+                after = replace(taken, q=lift.q[-1], tcp=back[-1]).moved(thing, back[-1] @ held.tcp_from_object)
+                yield (reach, gripper_action("close", q, goal, True), lift), after
+
+
+def _turned(workspace: Workspace, pose: Pose, tilt: float) -> float:
+    """How far from the preferred yaw: home's for a hand that points down; leaning away from the arm's base otherwise [rad]."""
+    if tilt == 0.0:
+        return workspace.turn_from_home(pose)
+    x, y = pose.matrix[:2, 2]
+    return abs(float(np.arctan2(y, x)))
 
 
 def _yaw(pose: Pose) -> float:

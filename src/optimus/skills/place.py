@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 from typing import ClassVar
 
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
 from optimus.objects.shapes import Surface
-from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of
+from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat
 from optimus.skills.skill import Refinement, Workspace, gripper_action
@@ -20,6 +21,8 @@ RELEASE_GAP = 0.001
 """Things are let go this far above their support [m]."""
 SPACING = 0.05
 """Between the candidate spots of a surface [m]."""
+QUICK_TARGETS = 10
+"""Poses tried before a thing is believed not to go to a place."""
 MARGIN = 0.015
 """Kept from a surface's edge, and between things [m]."""
 
@@ -36,20 +39,22 @@ class Place:
             yield Operator(
                 skill=self.name,
                 args=(thing, support),
-                needs=frozenset({Holding(thing), *covered}),
+                needs=frozenset({Holding(thing), *covered}) | way_open(scene, support),
                 adds=frozenset({On(thing, support), HandEmpty(), Released(thing)}),
                 deletes=frozenset({Holding(thing), *covered}),
             )
 
     def spots(self, workspace: Workspace, state: State, thing: str, support: str) -> Iterator[Array]:
         """Free points `(3,)` [m] of the support's surface, the nearest to its middle first."""
-        shape = workspace.scene.shape_of(support)
+        scene = workspace.scene
+        shape = scene.shape_of(support)
         assert shape.surface is not None
-        frame = pose_of(workspace.scene, state, support)
-        radius = float(np.hypot(*workspace.scene.shape_of(thing).half_extents[:2]))
+        frame = pose_of(scene, state, support)
+        radius = float(np.hypot(*scene.shape_of(thing).half_extents[:2]))
         for x, y in _grid(shape.surface, radius + MARGIN):
             point = frame.transform((x, y, shape.surface.z))
-            if all(self._apart(workspace, state, point, radius, other) for other in state.poses if other != thing):
+            apart = all(self._apart(workspace, state, point, radius, other) for other in state.poses if other != thing)
+            if apart and not scene.is_covered(point, radius + MARGIN, support) and not scene.in_swing(point, radius, support):
                 yield point
 
     def _apart(self, workspace: Workspace, state: State, point: Array, radius: float, other: str) -> bool:
@@ -62,35 +67,43 @@ class Place:
         """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical."""
         assert state.held is not None
         upright = _levelled(state.tcp, workspace.home)
+        turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
+        if _heading(state.tcp) is not None:  # leaning into something: never from behind
+            turns = [0.0, 0.4, -0.4, 0.8, -0.8]
         height = state.tcp.pos[2] - _lowest(workspace, state, thing)
         for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
-            for yaw in workspace.order([0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4], rng):
+            for yaw in workspace.order(turns, rng):
                 quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
                 # the thing, not the tcp, goes over the spot
                 offset = Pose(np.zeros(3), quat).transform(state.held.tcp_from_object.pos)
                 pos = np.array([*(point - offset)[:2], point[2] + height + RELEASE_GAP])
                 yield Pose(pos, quat)
 
+    def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
+        """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the ways there."""
+        thing, support = args
+        targets = islice(self.targets(workspace, state, thing, support, rng), QUICK_TARGETS)
+        return any(workspace.fits(state, goal) for goal in targets)
+
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, support = args
         assert state.held is not None
-        height = workspace.transit_height(state)
         for goal in self.targets(workspace, state, thing, support, rng):
-            corners = workspace.over_and_down(state, goal, height)
-            carry = workspace.travel("carry", state, corners, True, rng, via=True)
-            if carry is None:
-                continue
-            q = carry.q[-1]
-            put = goal @ state.held.tcp_from_object
-            left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
-            up = goal.shifted((0.0, 0.0, max(workspace.transit_height(left) - goal.pos[2], workspace.style.retreat)))
-            retreat = workspace.travel("retreat", left, [up], False, rng)
-            if retreat is None:
-                continue
-            after = replace(left, q=retreat.q[-1], tcp=up)
-            yield (carry, gripper_action("open", q, goal, False), retreat), after
+            for way in workspace.ways(state, goal):
+                carry = workspace.travel("carry", state, way.corners, True, rng, way.straight)
+                if carry is None:
+                    continue
+                q = carry.q[-1]
+                put = goal @ state.held.tcp_from_object
+                left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
+                back = workspace.way_back(left, goal, way)
+                retreat = workspace.travel("retreat", left, back, False, rng)
+                if retreat is None:
+                    continue
+                after = replace(left, q=retreat.q[-1], tcp=back[-1])
+                yield (carry, gripper_action("open", q, goal, False), retreat), after
 
 
 class Stack(Place):
@@ -116,10 +129,18 @@ def _grid(surface: Surface, inset: float) -> list[tuple[float, float]]:
     return sorted(points, key=lambda p: (round(float(np.hypot(*p)), 6), p))
 
 
+def _heading(tcp: Pose) -> float | None:
+    """Where a hand that leans points to, about the vertical [rad]; None for one that points down."""
+    x, y = tcp.matrix[:2, 2]
+    return float(np.arctan2(y, x)) if np.hypot(x, y) > 0.2 else None
+
+
 def _levelled(tcp: Pose, home: Pose) -> Array:
-    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt: what is held stays as upright as it is."""
-    turn = rotvec_from_quat(quat_mul(home.quat, tcp.quat * np.array([1.0, -1.0, -1.0, -1.0])))
-    return quat_mul(quat_from_rotvec((0.0, 0.0, turn[2])), tcp.quat)
+    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt: what is held stays as upright as it is.
+    A hand that leans is turned to lean away from the arm's base."""
+    heading, inverse = _heading(tcp), tcp.quat * np.array([1.0, -1.0, -1.0, -1.0])
+    turn = rotvec_from_quat(quat_mul(home.quat, inverse))[2] if heading is None else -heading
+    return quat_mul(quat_from_rotvec((0.0, 0.0, turn)), tcp.quat)
 
 
 def _lowest(workspace: Workspace, state: State, thing: str) -> float:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import ClassVar, Protocol, TypeVar
 
 import numpy as np
@@ -20,6 +21,9 @@ from optimus.world import World
 
 T = TypeVar("T")
 
+ROOF_MARGIN = 0.10
+"""The hand reaches this far beyond the tcp, sideways [m]."""
+
 
 @dataclass(frozen=True)
 class Style:
@@ -31,8 +35,33 @@ class Style:
     """The straight last stretch before a grasp or a release [m]."""
     retreat: float = 0.09
     """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
+    corridor: float = 0.15
+    """Fixtures this near to the way sideways are passed over [m]."""
+    hop: float = 0.02
+    """Under a roof, what is held is carried this far above its place [m]."""
+    detours: int = 4
+    """Arm configurations tried at a pose, where the first is blocked."""
     shuffle: bool = False
     """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
+
+
+@dataclass(frozen=True)
+class Purpose:
+    """What a thing is picked up for: the support it goes to, and whether it could be put there from a state in which it is held."""
+
+    support: str
+    possible: Callable[[State], bool]
+
+
+@dataclass(frozen=True)
+class Way:
+    """How the hand comes to a goal and leaves it: through `corners`, the last of which is the goal."""
+
+    corners: list[Pose]
+    straight: int = 1
+    """So many of the last lines stay lines: no detour may replace them."""
+    back: Array | None = None
+    """Under a roof: the offset `(3,)` [m] by which the hand leaves first. None: it leaves straight up."""
 
 
 @dataclass(eq=False)
@@ -43,6 +72,8 @@ class Workspace:
     style: Style = field(default_factory=Style)
     failures: list[tuple[str, Blocked]] = field(default_factory=list)
     """`(stage, what was in the way)`, newest last: the planner learns from it."""
+    purpose: Purpose | None = None
+    """Of the skill that is being refined, as far as it is known."""
 
     def __post_init__(self) -> None:
         self.kinematics = Kinematics(self.world)
@@ -57,12 +88,13 @@ class Workspace:
     def open_width(self) -> float:
         return 2 * self.scene.robot.finger_travel
 
-    def transit_height(self, state: State) -> float:
-        """The tcp height [m] for sideways motion: clear of all that stands, with whatever hangs below the tcp."""
+    def transit_height(self, state: State, goal: Pose) -> float:
+        """The tcp height [m] for sideways motion to `goal`: clear of every movable and of the fixtures along the way, with
+        whatever hangs below the tcp."""
         held = state.held
         tops = [0.0]
         tops += [self.top_of(state, n) for n in state.poses if held is None or n != held.name]
-        tops += [f.pos[2] + f.shape.half_extents[2] for f in self.scene.fixtures]
+        tops += [self.scene.top_along(f, state.tcp.pos, goal.pos, self.style.corridor) for f in self.scene.fixtures]
         hanging = 0.0
         if held is not None:
             hanging = state.tcp.pos[2] - (2 * state.poses[held.name].pos[2] - self.top_of(state, held.name))
@@ -74,24 +106,26 @@ class Workspace:
         return float(pose.pos[2] + np.abs(pose.matrix[2]) @ np.array(self.scene.shape_of(name).half_extents))
 
     def travel(
-        self, name: str, state: State, corners: list[Pose], shut: bool, rng: np.random.Generator, via: bool = False
+        self, name: str, state: State, corners: list[Pose], shut: bool, rng: np.random.Generator, straight: int | None = None
     ) -> Segment | None:
-        """A motion from `state` along straight lines through `corners`. With `via`, the sampling planner may replace all but
-        the last of these lines when they are blocked. None, and an entry in `failures`, when there is no way."""
+        """A motion from `state` along straight lines through `corners`. With `straight`, the sampling planner may replace all but
+        that many of the last lines when they are blocked. None, and an entry in `failures`, when there is no way."""
         self.checker.look_at(state)
         found = lines.track(self.kinematics, self.checker, state.q, corners)
-        if isinstance(found, Blocked) and via:
-            detour = self._detour(state.q, corners, rng)
+        if isinstance(found, Blocked) and straight is not None and len(corners) > straight:
+            detour = self._detour(state.q, corners, straight, rng)
             found = detour if detour is not None else found
         if isinstance(found, Blocked):
             self.failures.append((name, found))
             return None
         return Segment(name, found[0], found[1], shut)
 
-    def _detour(self, q: Array, corners: list[Pose], rng: np.random.Generator) -> tuple[Array, tuple[Pose, ...]] | None:
-        """By joint motion to the last corner but one, then the last line."""
-        for goal in self.kinematics.solutions(corners[-2], q):
-            last = lines.track(self.kinematics, self.checker, goal, corners[-1:])
+    def _detour(
+        self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator
+    ) -> tuple[Array, tuple[Pose, ...]] | None:
+        """By joint motion to the corner where the last `straight` lines begin, then along these."""
+        for goal in islice(self.kinematics.solutions(corners[-straight - 1], q), self.style.detours):
+            last = lines.track(self.kinematics, self.checker, goal, corners[-straight:])
             if isinstance(last, Blocked):
                 continue
             path = sampling.connect(self.kinematics, self.checker, q, goal, rng)
@@ -100,7 +134,38 @@ class Workspace:
                 return np.vstack([path, last[0][1:]]), (*poses, *last[1][1:])
         return None
 
-    def over_and_down(self, state: State, goal: Pose, height: float) -> list[Pose]:
+    def ways(self, state: State, goal: Pose) -> Iterator[Way]:
+        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof."""
+        if not self.scene.is_roofed(goal.pos, ROOF_MARGIN):
+            yield Way(self._over_and_down(state, goal, self.transit_height(state, goal)))
+            return
+        hop = np.array([0.0, 0.0, self.style.hop])
+        axis = goal.matrix[:, 2]
+        level = np.array([*axis[:2], 0.0]) / np.linalg.norm(axis[:2]) if np.linalg.norm(axis[:2]) > 0.2 else np.array([1.0, 0, 0])
+        for direction in (level, axis):
+            far = self._way_out(goal.pos, -direction)
+            if far is None:
+                continue
+            back = -far * direction
+            into = [goal.shifted(back), goal]
+            if state.held is not None:  # what is held comes in above its place, and is then put down
+                into = [goal.shifted(back + hop), goal.shifted(hop), goal]
+            yield Way(into, straight=len(into) - 1, back=back)
+
+    def _way_out(self, point: Array, direction: Array) -> float | None:
+        """How far along `direction` the open sky begins [m]."""
+        lengths = np.arange(0.05, 0.7, 0.05)
+        return next((float(s) for s in lengths if not self.scene.is_roofed(point + s * direction, ROOF_MARGIN)), None)
+
+    def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
+        """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
+        if way.back is None:
+            least = self.style.approach if state.held is not None else self.style.retreat
+            return [goal.shifted((0.0, 0.0, max(self.transit_height(state, goal) - goal.pos[2], least)))]
+        hop = np.array([0.0, 0.0, self.style.hop])
+        return [goal.shifted(hop), goal.shifted(way.back + hop)] if state.held is not None else [goal.shifted(way.back)]
+
+    def _over_and_down(self, state: State, goal: Pose, height: float) -> list[Pose]:
         """Corners of the usual way: straight up to `height` (never down), across while turning, straight down to `goal`."""
         start = state.tcp
         corners = []
@@ -109,6 +174,18 @@ class Workspace:
         top = max(height, goal.pos[2] + self.style.approach)
         corners.append(Pose(np.array([goal.pos[0], goal.pos[1], top]), goal.quat))
         return [*corners, goal]
+
+    def fits(self, state: State, goal: Pose) -> bool:
+        """Whether the arm can be at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
+        self.checker.look_at(state)
+        blocked = lines.UNREACHABLE
+        for q in islice(self.kinematics.solutions(goal, state.q), self.style.detours):
+            found = self.checker.check(q)
+            if found is None:
+                return True
+            blocked = found
+        self.failures.append(("fit", blocked))
+        return False
 
     def order(self, items: list[T], rng: np.random.Generator) -> list[T]:
         """As they are, or shuffled if the style says so."""

@@ -12,7 +12,19 @@ if TYPE_CHECKING:
 
 TASKS: dict[str, str] = {
     "stack": "optimus.tasks.stack:STACK",
+    "stack-three": "optimus.tasks.stack:STACK_THREE",
+    "stack-four": "optimus.tasks.stack:STACK_FOUR",
+    "stack-five": "optimus.tasks.stack:STACK_FIVE",
+    "stack-adapt": "optimus.tasks.stack_adapt:STACK_ADAPT",
     "pick-place": "optimus.tasks.pick_place:PICK_PLACE",
+    "pick-place-two": "optimus.tasks.pick_place_many:PICK_PLACE_TWO",
+    "pick-place-three": "optimus.tasks.pick_place_many:PICK_PLACE_THREE",
+    "pick-place-four": "optimus.tasks.pick_place_many:PICK_PLACE_FOUR",
+    "shelf": "optimus.tasks.shelf:SHELF",
+    "shelf-receptacle": "optimus.tasks.shelf:SHELF_RECEPTACLE",
+    "microwave": "optimus.tasks.microwave:MICROWAVE",
+    "microwave-receptacle": "optimus.tasks.microwave:MICROWAVE_RECEPTACLE",
+    "microwave-adapt": "optimus.tasks.microwave:MICROWAVE_ADAPT",
 }
 """Name -> `module:attribute`; a task's module is imported when the task is first asked for."""
 

@@ -7,7 +7,7 @@ from optimus.predicates import On, Released
 from optimus.robots import PANDA
 from optimus.scene import Camera, Fixture, Movable, Scene
 from optimus.se3 import Pose
-from optimus.task import Problem, Task
+from optimus.task import Problem, Task, footprint
 
 CENTRE_X = 0.50
 APART = 0.50
@@ -38,8 +38,7 @@ SCENES = {
 def draw(rng: np.random.Generator) -> Problem:
     variant = list(OBJECTS)[int(rng.integers(len(OBJECTS)))]
     shape = OBJECTS[variant]
-    radius = float(np.hypot(*shape.half_extents[:2])) if not shape.symmetric else shape.half_extents[0]
-    reach = HALF - radius
+    reach = HALF - footprint(shape)
     x, y = rng.uniform(-reach, reach, 2)
     pos = (CENTRE_X + x, APART / 2 + y, HEIGHT + shape.half_extents[2])
     pose = Pose.of(pos, (0.0, 0.0, rng.uniform(-np.pi, np.pi)))

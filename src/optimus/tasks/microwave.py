@@ -1,0 +1,118 @@
+"""Microwave: open it and put an object in. MicrowaveReceptacle: another size every time. MicrowaveAdapt: in half of the starts
+something stands before the door."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from optimus.objects.furniture import WALL, box_open_in_front, panel
+from optimus.objects.shapes import Shape, block, cup, cylinder, slab
+from optimus.predicates import On, Released
+from optimus.robots import PANDA
+from optimus.scene import Bar, Camera, Door, Fixture, Movable, Scene
+from optimus.se3 import Pose
+from optimus.task import Problem, Task, footprint
+
+
+@dataclass(frozen=True)
+class Size:
+    """Outer sizes of the microwave [m]."""
+
+    height: float = 0.30
+    width: float = 0.50
+    depth: float = 0.20
+
+
+HEIGHTS, WIDTHS, DEPTHS = (0.30, 0.40), (0.50, 0.60), (0.20, 0.30)
+"""Of those in MicrowaveReceptacle [m]."""
+FRONT, HINGE_Y = 0.70, 0.28
+"""Where the door is, and its hinge [m]: the microwave reaches from there to the right."""
+BOTTOM = 0.002
+BAR_OFF, BAR_INSET, BAR_RADIUS = 0.045, 0.05, 0.009
+"""The bar stands this far off the panel's middle, this far from its free edge [m]."""
+PLATFORM, PLATFORM_AT = 0.25, (0.42, -0.44)
+HEIGHT = 0.02
+
+OBJECTS: dict[str, Shape] = {
+    "block": block(0.045, (0.85, 0.13, 0.13, 1.0)),
+    "cylinder": cylinder(0.024, 0.08, (0.16, 0.35, 0.80, 1.0)),
+    "cup": cup(0.030, 0.075, (0.95, 0.65, 0.10, 1.0)),
+}
+OBSTACLE = block(0.05, (0.30, 0.65, 0.35, 1.0), mass=0.08)
+OBSTACLE_AREA = ((0.36, -0.12), (0.56, 0.12))
+"""Corners of where the obstacle's middle may start: within the door's swing, clear of the shut door and of the bar [m]."""
+
+TABLE = Fixture("table", slab(0.5, 0.62, 0.05, (0.78, 0.72, 0.64, 1.0)), (0.62, 0.0, -0.025))
+STAND = Fixture(
+    "platform", slab(PLATFORM / 2, PLATFORM / 2, HEIGHT, (0.35, 0.38, 0.42, 1.0)), (*PLATFORM_AT, HEIGHT / 2)
+)
+BODY, FACE = (0.82, 0.83, 0.85, 1.0), (0.20, 0.22, 0.26, 1.0)
+CAMERAS = (
+    Camera("leftshoulder", (-0.15, 0.60, 0.80), (0.58, -0.05, 0.08), 58.0),
+    Camera("rightshoulder", (-0.10, -0.70, 0.80), (0.58, -0.05, 0.08), 58.0),
+)
+
+
+def microwave(size: Size) -> tuple[Fixture, Door]:
+    """A box, and the door before it, hinged on its left edge as the arm sees it."""
+    middle = (FRONT + WALL / 2 + size.depth / 2, HINGE_Y - size.width / 2, BOTTOM + size.height / 2)
+    box = Fixture("microwave", box_open_in_front(size.depth, size.width, size.height, BODY), middle, door="door")
+    length = 0.5 * size.height
+    at = (-BAR_OFF, -(size.width - BAR_INSET), 0.0)
+    door = Door(
+        name="door",
+        shape=panel(size.width - 0.002, size.height - 0.004, FACE, -1.0, at, length),
+        hinge=(FRONT, HINGE_Y, BOTTOM + size.height / 2),
+        bar=Bar(at, BAR_RADIUS, length),
+        turns=-1.0,
+    )
+    return box, door
+
+
+def scene_of(variant: str, size: Size, obstacle: bool) -> Scene:
+    """A microwave of that size, a platform with an object beside it, and perhaps something before the door."""
+    box, door = microwave(size)
+    movables = (Movable("object", OBJECTS[variant]), *([Movable("obstacle", OBSTACLE)] if obstacle else []))
+    return Scene(
+        robot=PANDA,
+        fixtures=(TABLE, STAND, box),
+        movables=movables,
+        cameras=CAMERAS,
+        doors=(door,),
+        low=(0.10, -0.65, 0.005),
+        high=(0.95, 0.65, 0.75),
+    )
+
+
+def _on_platform(shape: Shape, rng: np.random.Generator) -> Pose:
+    reach = PLATFORM / 2 - footprint(shape)
+    x, y = rng.uniform(-reach, reach, 2) + PLATFORM_AT
+    return Pose.of((x, y, HEIGHT + shape.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
+
+
+def draw(sizes: bool, adapt: bool, rng: np.random.Generator) -> Problem:
+    variant = list(OBJECTS)[int(rng.integers(len(OBJECTS)))]
+    size = Size()
+    if sizes:
+        size = Size(*(round(float(rng.uniform(*r)), 2) for r in (HEIGHTS, WIDTHS, DEPTHS)))
+    blocked = adapt and bool(rng.uniform() < 0.5)
+    poses = {"object": _on_platform(OBJECTS[variant], rng)}
+    if blocked:
+        x, y = rng.uniform(*OBSTACLE_AREA)
+        poses["obstacle"] = Pose.of((x, y, OBSTACLE.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
+    goal = frozenset({On("object", "microwave"), Released("object")})
+    name = variant if not adapt else "door blocked" if blocked else "door free"
+    return Problem(scene_of(variant, size, blocked), poses, goal, name)
+
+
+CLOSE_UP = (0.55, 0.0, 0.12)
+MICROWAVE = Task("microwave", "open the microwave and put an object in", partial(draw, False, False), 600, CLOSE_UP)
+MICROWAVE_RECEPTACLE = Task(
+    "microwave-receptacle", "the same, with a microwave of another size every time", partial(draw, True, False), 600, CLOSE_UP
+)
+MICROWAVE_ADAPT = Task(
+    "microwave-adapt", "the same; in half of the starts something stands before the door", partial(draw, False, True), 800, CLOSE_UP
+)
