@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from optimus import demonstrate
 from optimus.env import ManipulationEnv
 from optimus.logic import Atom
 from optimus.motion.plan import Plan, Segment, Step
@@ -242,3 +243,13 @@ def test_the_check_has_its_own_model(stack: tuple[ManipulationEnv, Plan]) -> Non
         assert "collision" in kinds(env, blind)
     finally:
         model.geom_contype[:], model.geom_conaffinity[:] = saved
+
+
+def test_an_invalid_plan_is_a_failure_with_its_faults(monkeypatch: pytest.MonkeyPatch) -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    slow = replace(env.world.scene, robot=replace(env.world.scene.robot, speed_limits=(0.3,) * 7))
+    monkeypatch.setattr(demonstrate, "validate", lambda plan, scene, goal, law: validate(plan, slow, goal, law))
+    attempt = demonstrate.demonstrate(env, 1, demonstrate.ExpertConfig(check=True))
+    assert attempt.episode is None and attempt.failure == "invalid plan: speed"
+    assert attempt.info["violations"] and "joint" in attempt.info["violations"][0]
+    assert demonstrate.demonstrate(env, 1, demonstrate.ExpertConfig()).success
