@@ -188,6 +188,20 @@ def test_another_thing_moved_where_the_hand_goes_down(stack: tuple[ManipulationE
     assert any(v.what == "collision" and "cubeB meets robot" in v.detail and v.step == 0 for v in found)
 
 
+def test_what_is_held_may_press_on_its_support_a_little(stack: tuple[ManipulationEnv, Plan]) -> None:
+    env, plan = stack
+    for depth, meets in ((0.002, False), (0.005, True)):
+        sunk = replace(plan, start=plan.start.moved("cubeA", plan.start.poses["cubeA"].shifted((0.0, 0.0, -depth))))
+        found = validate(sunk, env.world.scene, env.problem.goal)
+        assert any("cubeA meets table" in v.detail for v in found) == meets
+
+
+def test_things_that_only_touch_each_other_are_no_fault_of_the_plan(stack: tuple[ManipulationEnv, Plan]) -> None:
+    env, plan = stack
+    sunk = with_states(plan, lambda s: s.moved("cubeB", s.poses["cubeB"].shifted((0.0, 0.0, -0.002))))
+    assert validate(sunk, env.world.scene, env.problem.goal) == []
+
+
 def test_a_grasp_beside_the_thing(stack: tuple[ManipulationEnv, Plan]) -> None:
     env, plan = stack
     away = plan.start.poses["cubeA"].shifted((0.0, 0.0, -0.06))

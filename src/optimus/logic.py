@@ -220,12 +220,13 @@ class _Search:
         self._bound: dict[int, float] = {}
         self._expanded: dict[int, int] = {}
         self._cheapest: dict[int, float] = {}
-        self._push(coded.start, 0.0, 0.0, ())
+        self._push(coded.start, 0.0, ())
 
     def pop(self) -> _Node | None:
         """The next node to look into; None when none is left."""
         while self._queue:
             node = heapq.heappop(self._queue)
+            # one bound may be looser than the next, so that a cheaper way here can come later: that one is looked into again
             if not self._found and node.cost >= self._cheapest.get(node.facts, math.inf):
                 self._parked.append(node)
             elif not self._found or self._expanded.get(node.facts, 0) < self._revisits:
@@ -237,15 +238,14 @@ class _Search:
         self._expanded[here] = self._expanded.get(here, 0) + 1
         self._cheapest[here] = min(node.cost, self._cheapest.get(here, math.inf))
         for k, there in coded.after(here):
-            self._push(there, node.cost + coded.operators[k].cost, node.total, (*node.done, k))
+            self._push(there, node.cost + coded.operators[k].cost, (*node.done, k))
 
-    def _push(self, there: int, cost: float, before: float, done: tuple[int, ...]) -> None:
+    def _push(self, there: int, cost: float, done: tuple[int, ...]) -> None:
         if there not in self._bound:
             self._bound[there] = self.coded.at_least(there)
         left = self._bound[there]
         if left < math.inf:
-            # a later bound may be looser: what was known of the way so far holds on
-            heapq.heappush(self._queue, _Node(max(before, cost + left), left, next(self._number), cost, there, done))
+            heapq.heappush(self._queue, _Node(cost + left, left, next(self._number), cost, there, done))
 
     def note_answer(self, node: _Node) -> None:
         """After the first answer: nothing hereafter is cheaper, which tightens the bounds, and the parked nodes count again."""
