@@ -67,7 +67,16 @@ def test_bench_expert_has_its_keys() -> None:
     result = result_of("bench", "expert", "stack", "--episodes", "3", "--seed", "77")
     keys = "task control episodes successes paper_rule_successes plan_seconds episode_steps tracking_error_mm failures"
     assert set(keys.split()) <= set(result)
+    assert "invalid_plans" not in result
     assert result["successes"] == 3 and set(result["plan_seconds"]) == {"median", "p95", "max"}
+
+
+def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
+    assert result_of("bench", "expert", "stack", "--episodes", "2", "--check")["invalid_plans"] == 0
+    assert result_of("show", "stack", "--plan", "--check", "--out", str(tmp_path / "plan.png"))["picture"]
+    assert result_of("collect", "stack", "--episodes", "1", "--workers", "1", "--check", "--out", str(tmp_path / "d"))["new"] == 1
+    assert "--plan" in refused("show", "stack", "--check")
+    assert "expert" in refused("bench", "step", "stack", "--check")
 
 
 def test_bench_collect_render_step_and_action() -> None:

@@ -1,8 +1,12 @@
 """The skeleton search, against breadth-first search and on puzzles whose answer is known."""
 
 from collections import deque
-from itertools import islice, pairwise
+from heapq import heappop, heappush
+from itertools import count, islice, pairwise
+from random import Random
+from time import process_time
 
+import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -64,6 +68,50 @@ def test_first_skeleton_is_shortest(start: list[str], end: list[str], cut: int) 
         assert applicable(operator, facts)
         facts = operator.apply(facts)
     assert goal <= facts
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.randoms(use_true_random=False), st.sampled_from([(1.0,), (1.0, 2.0, 3.0), (0.3, 0.7, 1.9)]))
+def test_the_first_skeleton_is_the_cheapest_whatever_operators_do_and_cost(random: Random, costs: tuple[float, ...]) -> None:
+    atoms = [atom("p", str(i)) for i in range(7)]
+
+    def some(most: int) -> Facts:
+        return frozenset(random.sample(atoms, random.randint(0, most)))
+
+    operators = tuple(
+        Operator("do", (str(i),), some(3), some(3), some(2), random.choice(costs)) for i in range(random.randint(2, 12))
+    )
+    facts, goal = some(3), some(4)
+    best = cheapest(facts, goal, operators)
+    found = [sum(o.cost for o in s) for s in islice(skeletons(facts, goal, operators), 8)]
+    assert np.diff(found).min(initial=0.0) > -1e-6
+    assert (best is None) == (not found)
+    assert best is None or abs(found[0] - best) < 1e-6
+
+
+def cheapest(facts: Facts, goal: Facts, operators: tuple[Operator, ...]) -> float | None:
+    """Dijkstra's answer, with no bound to lead it astray."""
+    tie = count()
+    queue: list[tuple[float, int, Facts]] = [(0.0, next(tie), facts)]
+    seen: set[Facts] = set()
+    while queue:
+        cost, _, here = heappop(queue)
+        if goal <= here:
+            return cost
+        if here not in seen:
+            seen.add(here)
+            for o in operators:
+                if o.needs <= here:
+                    heappush(queue, (cost + o.cost, next(tie), o.apply(here)))
+    return None
+
+
+def test_a_long_skeleton_is_found_in_a_moment() -> None:
+    operators, facts = blocks_world("abcde"), world(["abcde"])
+    goal = frozenset(atom("on", a, b) for a, b in pairwise("cebda"))
+    began = process_time()
+    assert len(next(skeletons(facts, goal, operators))) >= 8
+    assert process_time() - began < 0.1
 
 
 def test_costs_never_fall_from_one_skeleton_to_the_next() -> None:

@@ -17,12 +17,14 @@ from optimus.rollout import Perturbation, rollout
 from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.tasks import TASKS, task
+from optimus.validate import validate
 
 
 def plan_for(env: ManipulationEnv, seed: int) -> Plan:
     env.reset(seed=seed)
     plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(seed))
     assert isinstance(plan, Plan), plan
+    assert validate(plan, env.world.scene, env.problem.goal) == []
     return plan
 
 
@@ -76,6 +78,7 @@ def test_unstacking_emerges() -> None:
     state = state.moved("cubeA", Pose.of((0.5, 0.0, 0.02))).moved("cubeB", Pose.of((0.5, 0.0, 0.065)))
     plan = solve(Workspace(env.world), state, env.problem.goal, np.random.default_rng(0))
     assert isinstance(plan, Plan)
+    assert validate(plan, env.world.scene, env.problem.goal) == []
     assert [str(s.operator) for s in plan.steps] == [
         "pick(cubeB, cubeA)",
         "place(cubeB, table)",

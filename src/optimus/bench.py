@@ -14,7 +14,7 @@ import numpy as np
 
 from optimus.collect import CollectConfig, collect
 from optimus.data.episode import IMAGE_SIZE
-from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
+from optimus.demonstrate import INVALID, Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.render import Rig
 from optimus.tasks import task as task_named
@@ -29,16 +29,18 @@ def spread(values: list[float], scale: float = 1.0) -> dict[str, float]:
     return {"median": float(np.median(v)), "p95": float(np.percentile(v, 95)), "max": float(v.max())}
 
 
-def _expert_attempt(task: str, seed: int) -> Attempt:
-    return demonstrate(ManipulationEnv(task_named(task), images=False), seed, ExpertConfig())
+def _expert_attempt(task: str, seed: int, check: bool) -> Attempt:
+    return demonstrate(ManipulationEnv(task_named(task), images=False), seed, ExpertConfig(check=check))
 
 
-def bench_expert(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
-    """The expert, unperturbed and without images, on `episodes` consecutive seeds."""
+def bench_expert(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, check: bool = False
+) -> dict[str, Any]:
+    """The expert, unperturbed and without images, on `episodes` consecutive seeds; with `check`, invalid plans are counted."""
     task_named(task)
     attempts: list[Attempt] = []
     with executor(workers) as pool:
-        for future in [pool.submit(_expert_attempt, task, seed + i) for i in range(episodes)]:
+        for future in [pool.submit(_expert_attempt, task, seed + i, check) for i in range(episodes)]:
             attempts.append(future.result())
             progress(len(attempts), sum(a.success for a in attempts))
     played = [a.episode for a in attempts if a.episode is not None]
@@ -56,6 +58,7 @@ def bench_expert(task: str, episodes: int, seed: int, workers: int, progress: Pr
         "episode_steps": {"median": steps["median"], "p95": steps["p95"]},
         "tracking_error_mm": {"median": medians["median"], "max": worst["max"]},
         "failures": dict(Counter(a.failure for a in attempts if not a.success)),
+        **({"invalid_plans": sum(a.failure.startswith(INVALID) for a in attempts)} if check else {}),
     }
 
 

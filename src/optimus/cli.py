@@ -54,25 +54,31 @@ def tasks(json: bool = False) -> None:
     _say({"tasks": rows}, json, "\n".join(f"{r['name']:<14} {r['summary']}  [{r['gym']}]" for r in rows))
 
 
-def show(task: TaskName, plan: bool = False, seed: int = 0, out: Path | None = None, json: bool = False) -> None:
+def show(
+    task: TaskName, plan: bool = False, check: bool = False, seed: int = 0, out: Path | None = None, json: bool = False
+) -> None:
     """Write a picture of a task's start, or with --plan of the expert's plan.
 
     Try:
         optimus show stack --seed 3
-        optimus show stack --plan --seed 3 --out plan.png
+        optimus show stack --plan --check --seed 3 --out plan.png
 
     Args:
         plan: draw the plan, one skill after another, with its motions (blue: hand empty, orange: carrying)
+        check: with --plan: refuse a plan that does not stand up to an independent check of its motions and effects
         seed: which problem
         out: the PNG to write; by default TASK-SEED[-plan].png here
     """
+    from optimus.demonstrate import ExpertConfig
     from optimus.show import sentence, show_plan, show_scene
     from optimus.tasks import task as task_named
 
     chosen = task_named(task)
+    if check and not plan:
+        raise OptimusError("--check is for plans: add --plan")
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
     if plan:
-        found = show_plan(chosen, seed, out)
+        found = show_plan(chosen, seed, out, ExpertConfig(check=check))
         text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))
     else:
         text = show_scene(chosen, seed, out)
@@ -87,6 +93,7 @@ def collect(
     workers: int = 0,
     perturb: bool = True,
     stall: int = 5,
+    check: bool = False,
     policy: Path | None = None,
     json: bool = False,
 ) -> None:
@@ -103,6 +110,7 @@ def collect(
         workers: processes; 0 takes every core (the dataset does not depend on it)
         perturb: push the arm off its path now and then, the label staying the expert's own answer
         stall: steps for which the gripper alone acts at a grasp or a release
+        check: leave out plans that do not stand up to an independent check of their motions and effects
         policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
     """
     from dataclasses import asdict
@@ -114,7 +122,7 @@ def collect(
     from optimus.expert import TimeLaw
     from optimus.rollout import Perturbation
 
-    expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None)
+    expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None, check=check)
     config = CollectConfig(task, out, episodes, seed, workers, expert, Turns(policy) if policy else None)
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
@@ -299,6 +307,7 @@ def bench(
     episodes: int = 20,
     seed: int = 0,
     workers: int = 1,
+    check: bool = False,
     json: bool = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
@@ -310,11 +319,15 @@ def bench(
     Args:
         episodes: how many to run (frames or actions, for render and action)
         workers: processes (expert and collect); 0 takes every core
+        check: with expert: validate every plan independently, and count the invalid ones as failures
     """
     from optimus.bench import BENCHES
 
+    if check and what != "expert":
+        raise OptimusError("--check is for plans: it goes with `bench expert` alone")
     with _bar(episodes, f"bench {what} {task}", "episode") as bar:
-        result = BENCHES[what](task, episodes, seed, workers, _counter(bar))
+        options = {"check": True} if check else {}
+        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), **options)
     _say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
 
 

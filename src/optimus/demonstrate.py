@@ -16,6 +16,10 @@ from optimus.motion.plan import Infeasible
 from optimus.planner import Budget, solve
 from optimus.rollout import Meddler, Perturbation, Pushes, rollout
 from optimus.skills import Style, Workspace
+from optimus.validate import validate
+
+INVALID = "invalid plan"
+"""How the failure of an attempt begins whose plan did not stand up to the check."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,8 @@ class ExpertConfig:
     law: TimeLaw = field(default_factory=TimeLaw)
     budget: Budget = field(default_factory=Budget)
     perturbation: Perturbation | None = None
+    check: bool = False
+    """Have every plan validated before it is carried out; an invalid one is a failure."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +64,10 @@ def demonstrate(
     seconds = time.process_time() - began
     if isinstance(plan, Infeasible):
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
+    wrong = validate(plan, env.world.scene, env.problem.goal, config.law) if config.check else []
+    if wrong:
+        failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
+        return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
     follower, perturbation = PlanFollower(plan, config.law), config.perturbation
     pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing)
     if meddler is not None:

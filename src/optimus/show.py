@@ -28,6 +28,7 @@ from optimus.se3 import Array
 from optimus.skills import Workspace
 from optimus.state import State
 from optimus.task import Task
+from optimus.validate import validate
 
 Picture = NDArray[np.uint8]
 
@@ -97,7 +98,10 @@ def show_scene(task: Task, seed: int, out: Path) -> str:
 
 
 def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = None) -> Plan:
-    """Write a plan of `seed` as a strip: the start, then each skill with the path of its motion; returns the plan."""
+    """Write a plan of `seed` as a strip: the start, then each skill with the path of its motion; returns the plan.
+
+    With `config.check`, `ModelError` says what is wrong with an invalid plan, and nothing is drawn.
+    """
     config = config or ExpertConfig()
     env = ManipulationEnv(task, images=False)
     env.reset(seed=seed)
@@ -105,6 +109,9 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     plan = solve(Workspace(env.world, config.style), env.state(), goal, np.random.default_rng([seed, 1]), config.budget)
     if isinstance(plan, Infeasible):
         raise ModelError(f"no plan for {task.name} with seed {seed}: {plan}")
+    wrong = validate(plan, env.world.scene, goal, config.law) if config.check else []
+    if wrong:
+        raise ModelError(f"the plan for {task.name} with seed {seed} is invalid: {'; '.join(map(str, wrong))}")
     rig = Rig(env.world, 460, 560)
     camera = _people_camera(task)
     wanted = ", ".join(sorted(str(a) for a in goal))
