@@ -88,6 +88,7 @@ def collect(
     perturb: bool = True,
     stall: int = 5,
     policy: Path | None = None,
+    control: str = "osc",
     json: bool = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
@@ -104,6 +105,7 @@ def collect(
         perturb: push the arm off its path now and then, the label staying the expert's own answer
         stall: steps for which the gripper alone acts at a grasp or a release
         policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
+        control: how actions move the arm: osc (operational space), ik (the same actions by inverse kinematics), or joint
     """
     from dataclasses import asdict
 
@@ -115,7 +117,8 @@ def collect(
     from optimus.rollout import Perturbation
 
     expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None)
-    config = CollectConfig(task, out, episodes, seed, workers, expert, Turns(policy) if policy else None)
+    turns = Turns(policy) if policy else None
+    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, control=control)
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
@@ -299,22 +302,24 @@ def bench(
     episodes: int = 20,
     seed: int = 0,
     workers: int = 1,
+    control: str = "osc",
     json: bool = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
 
     Try:
-        optimus bench expert stack --episodes 100 --seed 1000 --json
+        optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench collect stack --episodes 40 --workers 2 --json
 
     Args:
         episodes: how many to run (frames or actions, for render and action)
         workers: processes (expert and collect); 0 takes every core
+        control: how actions move the arm: osc, ik or joint
     """
     from optimus.bench import BENCHES
 
     with _bar(episodes, f"bench {what} {task}", "episode") as bar:
-        result = BENCHES[what](task, episodes, seed, workers, _counter(bar))
+        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), control)
     _say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
 
 

@@ -38,6 +38,8 @@ class Attempt:
     plan_seconds: float
     """CPU time."""
     info: dict[str, Any]
+    tracking: list[float] = field(default_factory=list)
+    """Distance of the tcp from the planned path at each step of motion [m]."""
 
     @property
     def success(self) -> bool:
@@ -58,8 +60,8 @@ def demonstrate(
     seconds = time.process_time() - began
     if isinstance(plan, Infeasible):
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
-    follower, perturbation = PlanFollower(plan, config.law), config.perturbation
-    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing)
+    follower, perturbation = PlanFollower(plan, config.law, env.control), config.perturbation
+    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
 
@@ -75,4 +77,4 @@ def demonstrate(
         "learned": plan.stats["learned"],
     }
     episode = replace(episode, skeleton=plan.skeleton, info={**episode.info, **facts})
-    return Attempt(seed, episode, episode.failure, seconds, episode.info)
+    return Attempt(seed, episode, episode.failure, seconds, episode.info, follower.errors)
