@@ -47,8 +47,10 @@ class TimeLaw:
 class Steering(Protocol):
     """How a plan is followed under one kind of control: what its target is, and the path of a segment for it."""
 
-    scale: Array | float
-    """What an action of 1 stands for [m, rad]."""
+    @property
+    def scale(self) -> Array | float:
+        """What an action of 1 stands for [m, rad]."""
+        ...
 
     def target(self, observation: Observation) -> Array:
         """The controller's target, from what is seen."""
@@ -96,6 +98,7 @@ class PlanFollower:
         self.plan, self.law = plan, law or TimeLaw()
         self._steering = STEERING[require_control(control)]
         self._segments = plan.segments
+        self._paths = [self._steering.path(segment) for segment in self._segments]
         self._ends = [int(n) - 1 for n in np.cumsum([len(step.segments) for step in plan.steps])]
         """The index of each skill's last segment."""
         self._index = -1
@@ -109,6 +112,10 @@ class PlanFollower:
     def segment(self) -> Segment | None:
         """What it is doing; None when the plan is done."""
         return self._segments[self._index] if self._index < len(self._segments) else None
+
+    @property
+    def _path(self) -> Path:
+        return self._paths[self._index]
 
     @property
     def steps_done(self) -> int:
@@ -127,8 +134,6 @@ class PlanFollower:
     def _next_segment(self) -> None:
         self._index += 1
         self._s, self._waited = 0.0, 0
-        if self.segment is not None:
-            self._path = self._steering.path(self.segment)
 
     def _stops_at_end(self) -> bool:
         following = self._segments[self._index + 1 : self._index + 2]
@@ -148,12 +153,18 @@ class PlanFollower:
             self._waited += 1
             delta = self._path.delta(target, self._path.length)
         else:
-            delta = self._advance(target)
-            self.errors.append(self._path.gap(tcp, self._s))
+            delta = self._advance(target, tcp)
+            self.errors.append(self._gap(tcp))
         arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
         return np.array([*arm, 1.0 if segment.shut else -1.0], np.float32)
 
-    def _advance(self, target: Array) -> Array:
+    def _gap(self, tcp: Pose) -> float:
+        """The distance of the tcp from the planned path [m]: it may still be on the last stretch of the segment before."""
+        here = self._path.gap(tcp, self._s)
+        before = self._paths[self._index - 1] if self._index > 0 else None
+        return here if before is None else min(here, before.gap(tcp, before.length))
+
+    def _advance(self, target: Array, tcp: Pose) -> Array:
         """Go on along the path as the law says; the change of the target, in SI units."""
         law, path = self.law, self._path
         self._s = path.nearest(target, self._s, window=0.04)
@@ -161,7 +172,7 @@ class PlanFollower:
         speed = law.speed
         if self._stops_at_end():
             speed = min(speed, law.slowest + law.braking * (path.length - self._s))
-        speed *= max(0.0, 1.0 - path.size(offset) / law.patience_offset)
+        speed *= max(0.0, 1.0 - path.away(offset, tcp, self._s) / law.patience_offset)
         self._s = min(path.length, self._s + speed / CONTROL_HZ)
         self._waited += self._s >= path.length
         return path.delta(target, self._s, (1.0 - law.recovery) * offset)

@@ -7,7 +7,9 @@ from optimus.control.osc import OperationalSpace
 from optimus.errors import UnknownNameError
 from optimus.world import World
 
-CONTROLS: dict[str, type[OperationalSpace | InverseKinematics | JointTarget]] = {c.name: c for c in (OperationalSpace, InverseKinematics, JointTarget)}
+_ALL: tuple[type[OperationalSpace | InverseKinematics | JointTarget], ...] = (OperationalSpace, InverseKinematics, JointTarget)
+CONTROLS = {c.name: c for c in _ALL}
+"""Every way of control, by name."""
 
 
 def require_control(name: str) -> str:

@@ -20,10 +20,10 @@ _RUNS_AT_ONCE = 32
 def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float | None = None) -> dict[str, float]:
     """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
 
-    `action_error`: mean distance in position (under joint control: of the joints), in units of the action; `action_error_mm`: the same [mm] if the
-    action's scale [m] is known; `gripper_right`: share of gripper answers with the label's sign;
-    `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer, if
-    the policy was taught it.
+    `action_error`: mean distance in position (under joint control: of the joints), in units of the action;
+    `action_error_mm`: the same [mm] if the action's scale [m] is known; `gripper_right`: share of gripper answers
+    with the label's sign; `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer,
+    if the policy was taught it.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]

@@ -12,9 +12,7 @@ from optimus.motion.plan import Segment
 from optimus.se3 import Array, Pose, error_between, interpolate, quat_from_rotvec, quat_mul
 
 JOINT_WEIGHT = 0.2
-"""A joint's turn of one radian counts as this many metres of a joint path, where the tcp itself moves less than that."""
-JOINT_REACH = 0.4
-"""A joint target off its path by one radian counts as off by this many metres: about what the tcp of a bent arm is off by."""
+"""A joint's turn of one radian counts as this many metres, of a path or off it, where the tcp itself moves less than that."""
 
 
 class Path(Protocol):
@@ -31,8 +29,8 @@ class Path(Protocol):
         """What `target` is off by from the path at `s`, in SI units."""
         ...
 
-    def size(self, offset: Array) -> float:
-        """How much an offset is [m]."""
+    def away(self, offset: Array, tcp: Pose, s: float) -> float:
+        """How far off the path the arm is sent, or is, near `s` [m]; `offset` is the target's."""
         ...
 
     def delta(self, target: Array, s: float, offset: Array | None = None) -> Array:
@@ -102,7 +100,7 @@ class PosePath:
         """`(6,)` [m, rad], base frame."""
         return error_between(Pose(target[:3], target[3:]), self._pose(s))
 
-    def size(self, offset: Array) -> float:
+    def away(self, offset: Array, tcp: Pose, s: float) -> float:
         return max(float(np.linalg.norm(offset[:3])), TURN_WEIGHT * float(np.linalg.norm(offset[3:])))
 
     def delta(self, target: Array, s: float, offset: Array | None = None) -> Array:
@@ -140,8 +138,9 @@ class JointPath:
         """`(dof,)` [rad]"""
         return target - self._q(s)
 
-    def size(self, offset: Array) -> float:
-        return JOINT_REACH * float(np.linalg.norm(offset))
+    def away(self, offset: Array, tcp: Pose, s: float) -> float:
+        # the joints alone do not tell how far off they send the tcp, nor whether it matters to it at all
+        return max(JOINT_WEIGHT * float(np.linalg.norm(offset)), self.gap(tcp, s))
 
     def delta(self, target: Array, s: float, offset: Array | None = None) -> Array:
         """`(dof,)` [rad]"""
