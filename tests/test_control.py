@@ -1,6 +1,8 @@
 """Three ways of control: the arm goes where it is sent, the expert works with each, and a dataset remembers which it was."""
 
 import dataclasses
+import json
+import shutil
 from pathlib import Path
 
 import gymnasium
@@ -219,3 +221,13 @@ def test_controls_do_not_mix(joint_taught: tuple[Path, Path], taught: tuple[Path
 def test_a_policy_takes_turns_under_its_own_control(joint_taught: tuple[Path, Path], tmp_path: Path) -> None:
     config = CollectConfig("stack", tmp_path, 1, workers=1, control="joint", turns=Turns(joint_taught[1], policy_steps=2.0))
     assert collect(config).demonstrations == 1
+
+
+def test_a_run_from_before_controls_were_recorded_loads_and_goes_on(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    shutil.copytree(taught[1], run)
+    config = json.loads((run / "config.json").read_text())
+    assert config["inputs"].pop("control") == "osc" and config["inputs"].pop("actions") == 7
+    (run / "config.json").write_text(json.dumps(config))
+    assert load(run, control="osc").inputs.actions == 7
+    train(taught[0], run, TrainConfig(steps=3))  # nothing is left to do
