@@ -6,7 +6,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import optimus
-from optimus.control import POSITION_SCALE, OperationalSpace
+from optimus.control import POSITION_SCALE
+from optimus.control.osc import OperationalSpace
+from optimus.control.pose_target import MAX_GAP
 from optimus.data.episode import PROPRIOCEPTION
 from optimus.env import ManipulationEnv
 from optimus.registration import gym_id
@@ -89,9 +91,10 @@ def test_the_target_does_not_wind_up_nor_leave_its_box() -> None:
     env.reset(seed=0)
     for _ in range(60):
         env.step(np.array([0, 0, -1, 0, 0, 0, 1], np.float32))
-    controller: OperationalSpace = env.controller
-    assert np.linalg.norm(controller.target_error(env.data)[:3]) <= controller.config.max_gap + 1e-9
-    assert controller.target.pos[2] >= controller.config.low[2]
+    controller = env.controller
+    assert isinstance(controller, OperationalSpace)
+    assert np.linalg.norm(controller.target_error(env.data)[:3]) <= MAX_GAP + 1e-9
+    assert controller.target.pos[2] >= env.world.scene.low[2]
 
 
 def test_equal_scenes_share_one_model() -> None:

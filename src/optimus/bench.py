@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from optimus.collect import CollectConfig, collect
-from optimus.data.episode import IMAGE_SIZE
+from optimus.control import require_control
+from optimus.data.episode import IMAGE_SIZE, OSC
 from optimus.demonstrate import INVALID, Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.render import Rig
@@ -29,50 +30,55 @@ def spread(values: list[float], scale: float = 1.0) -> dict[str, float]:
     return {"median": float(np.median(v)), "p95": float(np.percentile(v, 95)), "max": float(v.max())}
 
 
-def _expert_attempt(task: str, seed: int, check: bool) -> Attempt:
-    return demonstrate(ManipulationEnv(task_named(task), images=False), seed, ExpertConfig(check=check))
+def _expert_attempt(task: str, control: str, seed: int, check: bool) -> Attempt:
+    return demonstrate(ManipulationEnv(task_named(task), images=False, control=control), seed, ExpertConfig(check=check))
 
 
 def bench_expert(
-    task: str, episodes: int, seed: int, workers: int, progress: Progress, check: bool = False
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, control: str = OSC, check: bool = False
 ) -> dict[str, Any]:
     """The expert, unperturbed and without images, on `episodes` consecutive seeds; with `check`, invalid plans are counted."""
     task_named(task)
+    require_control(control)
     attempts: list[Attempt] = []
     with executor(workers) as pool:
-        for future in [pool.submit(_expert_attempt, task, seed + i, check) for i in range(episodes)]:
+        for future in [pool.submit(_expert_attempt, task, control, seed + i, check) for i in range(episodes)]:
             attempts.append(future.result())
             progress(len(attempts), sum(a.success for a in attempts))
     played = [a.episode for a in attempts if a.episode is not None]
     steps, plan = spread([float(len(e)) for e in played]), spread([a.plan_seconds for a in attempts])
-    errors = [e.info["tracking_error"] for e in played]
-    medians, worst = spread([e["median"] for e in errors], 1e3), spread([e["max"] for e in errors], 1e3)
+    errors = 1e3 * np.array([e for a in attempts for e in a.tracking] or [0.0])
     return {
         "task": task,
-        "control": "osc",
+        "control": control,
         "seed": seed,
         "episodes": episodes,
         "successes": sum(a.success for a in attempts),
         "paper_rule_successes": sum(bool(a.info.get("paper_success")) for a in attempts),
         "plan_seconds": plan,
         "episode_steps": {"median": steps["median"], "p95": steps["p95"]},
-        "tracking_error_mm": {"median": medians["median"], "max": worst["max"]},
+        "tracking_error_mm": {
+            "median": float(np.median(errors)),
+            "p99": float(np.percentile(errors, 99)),
+            "max": float(errors.max()),
+        },
         "failures": dict(Counter(a.failure for a in attempts if not a.success)),
         **({"invalid_plans": sum(a.failure.startswith(INVALID) for a in attempts)} if check else {}),
     }
 
 
-def bench_collect(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_collect(task: str, episodes: int, seed: int, workers: int, progress: Progress, control: str = OSC) -> dict[str, Any]:
     """Collection as users run it: perturbed, rendered, written; process start-up included."""
     workers = workers or available_cores()
     folder = Path(tempfile.mkdtemp(prefix="optimus-bench-"))
     try:
-        config = CollectConfig(task, folder / "data", episodes, seed, workers)
+        config = CollectConfig(task, folder / "data", episodes, seed, workers, control=control)
         result = collect(config, lambda done: progress(done, done))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     return {
         "task": task,
+        "control": control,
         "workers": workers,
         "demonstrations": result.demonstrations,
         "attempts": result.attempts,
@@ -83,17 +89,17 @@ def bench_collect(task: str, episodes: int, seed: int, workers: int, progress: P
     }
 
 
-def bench_step(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_step(task: str, episodes: int, seed: int, workers: int, progress: Progress, control: str = OSC) -> dict[str, Any]:
     """CPU milliseconds of one 20 Hz step, with and without images, with random actions."""
     rng = np.random.default_rng(seed)
-    result: dict[str, Any] = {"task": task}
+    result: dict[str, Any] = {"task": task, "control": control}
     for images in (True, False):
-        env = ManipulationEnv(task_named(task), images=images)
+        env = ManipulationEnv(task_named(task), images=images, control=control)
         times = []
         for i in range(episodes):
             env.reset(seed=seed + i)
             for _ in range(20):
-                action = rng.uniform(-0.3, 0.3, 7).astype(np.float32)
+                action = rng.uniform(-0.3, 0.3, env.action_size).astype(np.float32)
                 began = time.process_time()
                 env.step(action)
                 times.append(time.process_time() - began)
@@ -102,7 +108,7 @@ def bench_step(task: str, episodes: int, seed: int, workers: int, progress: Prog
     return result
 
 
-def bench_render(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_render(task: str, episodes: int, seed: int, workers: int, progress: Progress, control: str = OSC) -> dict[str, Any]:
     """CPU milliseconds of one 84 x 84 frame, by camera."""
     env = ManipulationEnv(task_named(task), images=False)
     env.reset(seed=seed)
@@ -121,7 +127,7 @@ def bench_render(task: str, episodes: int, seed: int, workers: int, progress: Pr
     return result
 
 
-def bench_action(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_action(task: str, episodes: int, seed: int, workers: int, progress: Progress, control: str = OSC) -> dict[str, Any]:
     """CPU milliseconds of one action of the `quick` policy on one core, images to action (weights do not matter: fresh ones)."""
     import torch
 
@@ -129,10 +135,10 @@ def bench_action(task: str, episodes: int, seed: int, workers: int, progress: Pr
     from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 
     torch.set_num_threads(1)
-    env = ManipulationEnv(task_named(task))
+    env = ManipulationEnv(task_named(task), control=control)
     observation, _ = env.reset(seed=seed)
     low = {k: v.shape[0] for k, v in observation.items() if v.ndim == 1}
-    inputs = PolicyInputs(task, env.world.image_cameras, low, len(env.world.scene.movable_names))
+    inputs = PolicyInputs(task, env.world.image_cameras, low, len(env.world.scene.movable_names), env.action_size, control)
     policy = Policy(PolicyConfig(), inputs)
     agent = PolicyAgent(policy)
     for _ in range(20):

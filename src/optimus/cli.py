@@ -95,6 +95,7 @@ def collect(
     stall: int = 5,
     check: bool = False,
     policy: Path | None = None,
+    control: str = "osc",
     json: bool = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
@@ -112,6 +113,7 @@ def collect(
         stall: steps for which the gripper alone acts at a grasp or a release
         check: leave out plans that do not stand up to an independent check of their motions and effects
         policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
+        control: how actions move the arm: osc (operational space), ik (the same actions by inverse kinematics), or joint
     """
     from dataclasses import asdict
 
@@ -123,7 +125,8 @@ def collect(
     from optimus.rollout import Perturbation
 
     expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None, check=check)
-    config = CollectConfig(task, out, episodes, seed, workers, expert, Turns(policy) if policy else None)
+    turns = Turns(policy) if policy else None
+    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, control=control)
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
@@ -308,18 +311,20 @@ def bench(
     seed: int = 0,
     workers: int = 1,
     check: bool = False,
+    control: str = "osc",
     json: bool = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
 
     Try:
-        optimus bench expert stack --episodes 100 --seed 1000 --json
+        optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench collect stack --episodes 40 --workers 2 --json
 
     Args:
         episodes: how many to run (frames or actions, for render and action)
         workers: processes (expert and collect); 0 takes every core
         check: with expert: validate every plan independently, and count the invalid ones as failures
+        control: how actions move the arm: osc, ik or joint
     """
     from optimus.bench import BENCHES
 
@@ -327,7 +332,7 @@ def bench(
         raise OptimusError("--check is for plans: it goes with `bench expert` alone")
     with _bar(episodes, f"bench {what} {task}", "episode") as bar:
         options = {"check": True} if check else {}
-        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), **options)
+        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), control, **options)
     _say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
 
 

@@ -13,8 +13,9 @@ from functools import lru_cache, partial
 from itertools import count
 from pathlib import Path
 
-from optimus.control import POSITION_SCALE
-from optimus.correct import Corrections, Turns
+from optimus.control import CONTROLS, require_control
+from optimus.correct import Corrections, Turns, require_same_control
+from optimus.data.episode import OSC
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -45,6 +46,8 @@ class CollectConfig:
     """Collect corrections: a policy and the expert take turns to act, in place of the perturbation."""
     max_seconds: float = math.inf
     """Begin no further attempt after this time, even if that leaves fewer episodes than wanted."""
+    control: str = OSC
+    """How actions move the arm; a name of `optimus.control`."""
 
 
 @dataclass(frozen=True)
@@ -69,13 +72,13 @@ class _Outcome:
 
 
 @lru_cache(maxsize=2)
-def _env(task: str) -> ManipulationEnv:
-    return ManipulationEnv(task_named(task))
+def _env(task: str, control: str) -> ManipulationEnv:
+    return ManipulationEnv(task_named(task), control=control)
 
 
 def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     """One seed, in a worker: its episode or the reason of its failure is written before this returns."""
-    env, turns = _env(config.task), config.turns
+    env, turns = _env(config.task, config.control), config.turns
     env.cpu.clear()
     attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))
     began = time.process_time()
@@ -95,10 +98,12 @@ def _store(out: Path) -> EpisodeStore:
 
 def open_dataset(config: CollectConfig) -> EpisodeStore:
     """The dataset folder of a collection, made or opened; errors if it belongs to another one."""
-    task = task_named(config.task)
+    task, control = task_named(config.task), require_control(config.control)
+    if config.turns is not None:
+        require_same_control(config.turns, control)
     cameras = compile_scene(task.problem(config.seed).scene).image_cameras
     _require_writable(config.out)
-    about = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
+    about = {"seed": config.seed, "control": control, **CONTROLS[control].scales, "expert": asdict(config.expert)}
     if config.turns is not None:
         about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
     return EpisodeStore.create(config.out, task.name, cameras, about)

@@ -43,6 +43,13 @@ def _agent(run: Path) -> PolicyAgent:
     return PolicyAgent(run)
 
 
+def require_same_control(turns: Turns, control: str) -> None:
+    """`CheckpointError` if the policy that is to act was trained for another way of control."""
+    from optimus.learn import checkpoint
+
+    checkpoint.load(turns.policy, control=control)
+
+
 class Corrections:
     """The turns of one episode: adds to the expert's action what makes it the policy's, while it is the policy's turn."""
 
@@ -53,9 +60,9 @@ class Corrections:
         self._policys = bool(rng.uniform() < 0.7)
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
-        """What to add to the expert's action `(7,)`."""
+        """What to add to the expert's action `(n,)`."""
         answer = self._agent.act(observation).astype(np.float64)
         mean = self.turns.policy_steps if self._policys else self.turns.expert_steps
         if self._rng.uniform() < 1.0 / mean:
             self._policys = not self._policys
-        return answer - label if self._policys else np.zeros(7)
+        return answer - label if self._policys else np.zeros_like(answer)

@@ -44,6 +44,8 @@ class Attempt:
     plan_seconds: float
     """CPU time."""
     info: dict[str, Any]
+    tracking: list[float] = field(default_factory=list)
+    """Distance of the tcp from the planned path at each step of motion [m]."""
 
     @property
     def success(self) -> bool:
@@ -68,8 +70,8 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    follower, perturbation = PlanFollower(plan, config.law), config.perturbation
-    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing)
+    follower, perturbation = PlanFollower(plan, config.law, env.control), config.perturbation
+    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
 
@@ -85,4 +87,4 @@ def demonstrate(
         "learned": plan.stats["learned"],
     }
     episode = replace(episode, skeleton=plan.skeleton, info={**episode.info, **facts})
-    return Attempt(seed, episode, episode.failure, seconds, episode.info)
+    return Attempt(seed, episode, episode.failure, seconds, episode.info, follower.errors)

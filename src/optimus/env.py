@@ -12,8 +12,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.control import CONTROL_HZ, OperationalSpace, OscConfig
-from optimus.data.episode import ACTION_DIM, IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
+from optimus.control import CONTROL_HZ, controller, require_control
+from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
 from optimus.render import Rig
 from optimus.scene import Camera
 from optimus.se3 import Array
@@ -34,27 +34,28 @@ def _rig(world: World, size: int) -> Rig:
 
 
 class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
-    """One task. Actions `(7,)` in [-1, 1]: delta position and delta rotation vector of the target (base frame, scaled as
-    `optimus.control` says), then the gripper: above 0 shut, else open. The reward is 1 on strict success, the end."""
+    """One task, under one way of `control`. Actions in [-1, 1]: for `osc` and `ik` `(7,)`, delta position and delta rotation
+    vector of the target pose (base frame), for `joint` `(dof + 1,)`, delta of the joint target, both scaled as
+    `optimus.control` says; then the gripper: above 0 shut, else open. The reward is 1 on strict success, the end."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
 
     def __init__(
-        self, task: Task, images: bool = True, render_mode: str | None = None, osc: OscConfig | None = None
+        self, task: Task, images: bool = True, render_mode: str | None = None, control: str = OSC
     ) -> None:
         self.task, self.images, self.render_mode = task, images, render_mode
-        self._osc = osc
+        self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
-        self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (ACTION_DIM,), np.float32)
         self._start(task.problem(0), 0)
+        self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (self.action_size,), np.float32)
         self.observation_space = gymnasium.spaces.Dict(self._spaces())  # pyright: ignore[reportAttributeAccessIssue]
 
     def _spaces(self) -> dict[str, gymnasium.Space[Any]]:
         spaces: dict[str, gymnasium.Space[Any]] = {
-            # generous: within reach, unit quaternions, rotation vectors up to pi
-            name: gymnasium.spaces.Box(-4.0, 4.0, (size,), np.float32)
-            for name, size in PROPRIOCEPTION.items()
+            # generous: within reach, unit quaternions, rotation vectors up to pi, joints that turn once around
+            name: gymnasium.spaces.Box(*((-7.0, 7.0) if name == "robot0_joint_pos" else (-4.0, 4.0)), seen.shape, np.float32)
+            for name, seen in self._proprioception().items()
         }
         if self.images:
             for camera in self.world.image_cameras:
@@ -66,8 +67,13 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.problem, self.episode_seed = problem, seed
         self.world: World = compile_scene(problem.scene)
         self.data = mujoco.MjData(self.world.model)
-        self.controller = OperationalSpace(self.world, self._osc)
+        self.controller = controller(self.control, self.world)
         self._steps = 0
+
+    @property
+    def action_size(self) -> int:
+        """Numbers in an action: the arm's, then the gripper's."""
+        return self.controller.size + 1
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -92,8 +98,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self, action: NDArray[np.float32]
     ) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         command = np.clip(np.asarray(action, np.float64), -1.0, 1.0)
-        self.controller.move_target(command[:6], self.data)
-        self._advance(gripper=float(command[6]), substeps=SUBSTEPS)
+        self.controller.move_target(command[:GRIPPER], self.data)
+        self._advance(gripper=float(command[GRIPPER]), substeps=SUBSTEPS)
         self._steps += 1
         success = self.problem.success(self.state())
         truncated = self._steps >= self.task.horizon
@@ -125,15 +131,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def observe(self) -> Observation:
         """What an agent may see, under robosuite's names (`robot0_eef_quat` is xyzw, as there)."""
-        tcp = self.world.tcp(self.data)
-        quat = tcp.quat if tcp.quat[1] >= 0 else -tcp.quat
-        fingers = self.data.qpos[self.world.finger_qpos]
-        seen: Observation = {
-            "robot0_eef_pos": tcp.pos.astype(np.float32),
-            "robot0_eef_quat": np.array([*quat[1:], quat[0]], np.float32),
-            "robot0_gripper_qpos": np.array([fingers[0], -fingers[1]], np.float32),
-            "robot0_target_error": self.controller.target_error(self.data).astype(np.float32),
-        }
+        seen: Observation = dict(self._proprioception())
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)
@@ -141,6 +139,18 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
             self.cpu["rendering"] += time.process_time() - began
         return seen
+
+    def _proprioception(self) -> dict[str, NDArray[np.float32]]:
+        tcp = self.world.tcp(self.data)
+        quat = tcp.quat if tcp.quat[1] >= 0 else -tcp.quat
+        fingers = self.data.qpos[self.world.finger_qpos]
+        told = self.controller.proprioception(self.data)
+        return {
+            "robot0_eef_pos": tcp.pos.astype(np.float32),
+            "robot0_eef_quat": np.array([*quat[1:], quat[0]], np.float32),
+            "robot0_gripper_qpos": np.array([fingers[0], -fingers[1]], np.float32),
+            **{name: value.astype(np.float32) for name, value in told.items()},
+        }
 
     def object_positions(self) -> Array:
         """`(k, 3)` [m], as the scene orders its movables."""

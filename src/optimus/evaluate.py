@@ -108,8 +108,9 @@ def random_starts(episodes: int, seed: int = 0) -> list[Start]:
 @lru_cache(maxsize=1)
 def _actors(run: Path, component: Component) -> tuple[ManipulationEnv, PolicyAgent]:
     torch.set_num_threads(1)
-    task = checkpoint.read_config(run)["task"]
-    return ManipulationEnv(task_named(task)), PolicyAgent(run, component)
+    agent = PolicyAgent(run, component)
+    inputs = agent.policy.inputs
+    return ManipulationEnv(task_named(inputs.task), control=inputs.control), agent
 
 
 class _Witness:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.control import CONTROL_HZ, SCALE
+from optimus.control import CONTROL_HZ, JOINT_SCALE, SCALE, require_control
 from optimus.data.episode import Observation
-from optimus.motion.lines import TURN_WEIGHT, distance
+from optimus.motion.lines import distance
+from optimus.motion.path import JointPath, Path, PosePath
 from optimus.motion.plan import Plan, Segment
-from optimus.se3 import Array, Pose, error_between, interpolate, quat_from_rotvec, quat_mul
+from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul
 
 
 @dataclass(frozen=True)
@@ -43,61 +44,61 @@ class TimeLaw:
     """A gripper action counts as done only when the opening has changed by this much [m]."""
 
 
-class _Path:
-    """A segment's poses as a polyline, with the length up to each; turns count by `TURN_WEIGHT`, as in `distance`."""
+class Steering(Protocol):
+    """How a plan is followed under one kind of control: what its target is, and the path of a segment for it."""
 
-    def __init__(self, segment: Segment) -> None:
-        self.poses = segment.poses
-        steps = [distance(a, b) for a, b in pairwise(self.poses)]
-        self.at = np.concatenate([[0.0], np.cumsum(steps)])
-        self.length = float(self.at[-1])
-        self._points = np.array([self._point(pose) for pose in self.poses])
+    @property
+    def scale(self) -> Array | float:
+        """What an action of 1 stands for [m, rad]."""
+        ...
 
-    def _point(self, pose: Pose) -> Array:
-        """A pose as a point `(6,)`: position, and the turn from the end of the path in metres."""
-        turn = error_between(pose, self.poses[-1])[3:]
-        return np.concatenate([pose.pos, TURN_WEIGHT * turn])
+    def target(self, observation: Observation) -> Array:
+        """The controller's target, from what is seen."""
+        ...
 
-    def pose(self, s: float) -> Pose:
-        """The pose at length `s` [m]."""
-        i = min(max(int(np.searchsorted(self.at, s, side="right")) - 1, 0), len(self.poses) - 1)
-        if i == len(self.poses) - 1:
-            return self.poses[-1]
-        span = self.at[i + 1] - self.at[i]
-        return interpolate(self.poses[i], self.poses[i + 1], float((s - self.at[i]) / max(span, 1e-9)))
+    def path(self, segment: Segment) -> Path:
+        """The segment, for such targets."""
+        ...
 
-    def _project(self, point: Array, s: float, window: float) -> tuple[float, float]:
-        """Where on the path, within `window` [m] around `s`, a point of `point`'s dimensions is nearest, and how near."""
-        first = max(0, int(np.searchsorted(self.at, s - window, side="right")) - 1)
-        last = min(len(self.at) - 1, int(np.searchsorted(self.at, s + window)))
-        points = self._points[first : last + 1, : len(point)]
-        if last <= first:
-            return s, float(np.linalg.norm(point - points[0]))
-        starts, spans = points[:-1], np.diff(points, axis=0)
-        offset = point - starts
-        share = np.clip((offset * spans).sum(1) / np.maximum((spans**2).sum(1), 1e-12), 0.0, 1.0)
-        gaps = ((offset - share[:, None] * spans) ** 2).sum(1)
-        best = int(np.argmin(gaps))
-        along = self.at[first + best] + share[best] * (self.at[first + best + 1] - self.at[first + best])
-        return float(np.clip(along, s - window, s + window)), float(np.sqrt(gaps[best]))
 
-    def nearest(self, target: Pose, s: float, window: float) -> float:
-        """Where on the path, within `window` [m] around `s`, `target` is nearest: a function of the target, without steps,
-        so that the label is one too."""
-        return self._project(self._point(target), s, window)[0]
+class PoseSteering:
+    """The target is a pose `(7,)`, as `PosePath` takes it."""
 
-    def gap(self, tcp: Pose, s: float) -> float:
-        """The geometric distance of the tcp from the path [m], whatever its lag along it."""
-        return self._project(tcp.pos, s, 0.08)[1]
+    scale = SCALE
+
+    def target(self, observation: Observation) -> Array:
+        tcp, missing = tcp_of(observation), observation["robot0_target_error"].astype(np.float64)
+        return np.concatenate([tcp.pos + missing[:3], quat_mul(quat_from_rotvec(missing[3:]), tcp.quat)])
+
+    def path(self, segment: Segment) -> Path:
+        return PosePath(segment)
+
+
+class JointSteering:
+    """The target is a configuration `(dof,)` [rad]."""
+
+    scale = JOINT_SCALE
+
+    def target(self, observation: Observation) -> Array:
+        return observation["robot0_joint_pos"].astype(np.float64) + observation["robot0_joint_target_error"]
+
+    def path(self, segment: Segment) -> Path:
+        return JointPath(segment)
+
+
+STEERING: dict[str, Steering] = {"osc": PoseSteering(), "ik": PoseSteering(), "joint": JointSteering()}
+"""By control."""
 
 
 class PlanFollower:
     """Follows a plan's segments one by one. Its answer depends on where the target is on the path, not on the time: pushed off,
     it comes back to the nearest point of the path and goes on from there."""
 
-    def __init__(self, plan: Plan, law: TimeLaw | None = None) -> None:
+    def __init__(self, plan: Plan, law: TimeLaw | None = None, control: str = "osc") -> None:
         self.plan, self.law = plan, law or TimeLaw()
+        self._steering = STEERING[require_control(control)]
         self._segments = plan.segments
+        self._paths = [self._steering.path(segment) for segment in self._segments]
         self._ends = [int(n) - 1 for n in np.cumsum([len(step.segments) for step in plan.steps])]
         """The index of each skill's last segment."""
         self._index = -1
@@ -113,6 +114,10 @@ class PlanFollower:
         return self._segments[self._index] if self._index < len(self._segments) else None
 
     @property
+    def _path(self) -> Path:
+        return self._paths[self._index]
+
+    @property
     def steps_done(self) -> int:
         """How many skills are complete."""
         return sum(self._index > end for end in self._ends)
@@ -120,9 +125,8 @@ class PlanFollower:
     @property
     def slack(self) -> float:
         """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, else all."""
-        if self._path is None:
-            return 0.0
-        if self._segments[self._index].steady:
+        segment = self.segment
+        if segment is None or segment.gripper_action or segment.steady:
             return 0.0
         left = self._path.length - self._s
         return min(1.0, left / 0.10) if self._stops_at_end() else 1.0
@@ -130,18 +134,14 @@ class PlanFollower:
     def _next_segment(self) -> None:
         self._index += 1
         self._s, self._waited = 0.0, 0
-        segment = self.segment
-        self._path = None if segment is None or segment.gripper_action else _Path(segment)
 
     def _stops_at_end(self) -> bool:
         following = self._segments[self._index + 1 : self._index + 2]
         return bool(following and following[0].gripper_action)
 
     def act(self, observation: Observation) -> NDArray[np.float32] | None:
-        """The action `(7,)` for this observation; None when the plan is done."""
-        tcp = Pose(observation["robot0_eef_pos"].astype(np.float64), _wxyz(observation["robot0_eef_quat"]))
-        missing = observation["robot0_target_error"].astype(np.float64)
-        target = Pose(tcp.pos + missing[:3], quat_mul(quat_from_rotvec(missing[3:]), tcp.quat))
+        """The action for this observation, the gripper last; None when the plan is done."""
+        tcp, target = tcp_of(observation), self._steering.target(observation)
         opening = float(np.abs(observation["robot0_gripper_qpos"]).sum())
         while self._finished(tcp, opening):
             self._next_segment()
@@ -149,33 +149,38 @@ class PlanFollower:
         segment = self.segment
         if segment is None:
             return None
-        wanted = segment.end
-        if self._path is None:
+        if segment.gripper_action:
             self._waited += 1
+            delta = self._path.delta(target, self._path.length)
         else:
-            wanted = self._advance(self._path, target, segment.speed or self.law.speed)
-            self.errors.append(self._path.gap(tcp, self._s))
-        delta = np.clip(error_between(wanted, target) / SCALE, -1.0, 1.0)
-        return np.array([*delta, 1.0 if segment.shut else -1.0], np.float32)
+            delta = self._advance(target, tcp, segment.speed or self.law.speed)
+            self.errors.append(self._gap(tcp))
+        arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
+        return np.array([*arm, 1.0 if segment.shut else -1.0], np.float32)
 
-    def _advance(self, path: _Path, target: Pose, speed: float) -> Pose:
-        law = self.law
+    def _gap(self, tcp: Pose) -> float:
+        """The distance of the tcp from the planned path [m]: it may still be on the last stretch of the segment before."""
+        here = self._path.gap(tcp, self._s)
+        before = self._paths[self._index - 1] if self._index > 0 else None
+        return here if before is None else min(here, before.gap(tcp, before.length))
+
+    def _advance(self, target: Array, tcp: Pose, speed: float) -> Array:
+        """Go on along the path as the law says; the change of the target, in SI units."""
+        law, path = self.law, self._path
         self._s = path.nearest(target, self._s, window=0.04)
-        offset = error_between(target, path.pose(self._s))
-        away = max(float(np.linalg.norm(offset[:3])), TURN_WEIGHT * float(np.linalg.norm(offset[3:])))
+        offset = path.offset(target, self._s)
         if self._stops_at_end():
             speed = min(speed, law.slowest + law.braking * (path.length - self._s))
-        speed *= max(0.0, 1.0 - away / law.patience_offset)
+        speed *= max(0.0, 1.0 - path.away(offset, tcp, self._s) / law.patience_offset)
         self._s = min(path.length, self._s + speed / CONTROL_HZ)
         self._waited += self._s >= path.length
-        on_path, left = path.pose(self._s), (1.0 - law.recovery) * offset
-        return Pose(on_path.pos + left[:3], quat_mul(quat_from_rotvec(left[3:]), on_path.quat))
+        return path.delta(target, self._s, (1.0 - law.recovery) * offset)
 
     def _finished(self, tcp: Pose, opening: float) -> bool:
         segment, law = self.segment, self.law
         if segment is None:
             return False
-        if self._path is None:
+        if segment.gripper_action:
             # somebody else may have had the last word on what was done: the fingers must really have moved
             return self._waited >= law.stall and abs(opening - self._opening) > law.finger_motion
         if self._s < self._path.length:
@@ -186,6 +191,7 @@ class PlanFollower:
         return distance(segment.end, tcp) < near
 
 
-def _wxyz(xyzw: NDArray[np.float32]) -> Array:
-    x, y, z, w = xyzw.astype(np.float64)
-    return np.array([w, x, y, z])
+def tcp_of(observation: Observation) -> Pose:
+    """`base_from_tcp`, as it is seen."""
+    x, y, z, w = observation["robot0_eef_quat"].astype(np.float64)
+    return Pose(observation["robot0_eef_pos"].astype(np.float64), np.array([w, x, y, z]))

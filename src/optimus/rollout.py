@@ -9,11 +9,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.control import POSITION_SCALE, ROTATION_SCALE
-from optimus.data.episode import Episode, Observation
+from optimus.control import JOINT_SCALE
+from optimus.data.episode import GRIPPER, Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.predicates import holds
 
+JOINT_TREMBLE = 0.005
+"""Under joint control every joint trembles by this much besides the hand [rad], one standard deviation."""
 LAST_LOOK = 12
 """Steps for which the world is still watched when the agent is done, so that what it let go can settle."""
 
@@ -22,7 +24,7 @@ class Agent(Protocol):
     """The expert and every policy."""
 
     def act(self, observation: Observation) -> NDArray[np.float32] | None:
-        """The action `(7,)`, or None when it has nothing more to do."""
+        """The action `(n,)`, gripper last, or None when it has nothing more to do."""
         ...
 
 
@@ -30,7 +32,7 @@ class Meddler(Protocol):
     """Has a hand in what is executed, not in what is recorded as the answer."""
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
-        """What to add to the action `label` `(7,)` before it is executed; `slack` says how much may happen now, 0 to 1."""
+        """What to add to the action `label` `(n,)` before it is executed; `slack` says how much may happen now, 0 to 1."""
         ...
 
 
@@ -57,15 +59,16 @@ class Perturbation:
 
 
 class Pushes:
-    """The pushes of one episode, drawn from its own generator."""
+    """The pushes of one episode, drawn from its own generator: of the hand, whatever moves the arm, and under joint control
+    of each joint a little besides, for there the elbow errs too."""
 
-    def __init__(self, config: Perturbation, rng: np.random.Generator) -> None:
-        self.config, self._rng = config, rng
+    def __init__(self, config: Perturbation, rng: np.random.Generator, env: ManipulationEnv) -> None:
+        self.config, self._rng, self._env = config, rng, env
         self._shove, self._left = np.zeros(4), 0
         self._still = 0
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
-        """What to add to the next action `(7,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
+        """What to add to the next action `(n,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
         c, rng = self.config, self._rng
         tremble = rng.normal(size=4) * (c.tremble, c.tremble, c.tremble, c.tremble_yaw)
         begins, shove = rng.uniform() < c.shoves, rng.normal(size=4) * (c.shove, c.shove, c.shove, c.shove_yaw)
@@ -76,11 +79,19 @@ class Pushes:
         pauses, length = rng.uniform() < c.pauses, int(rng.integers(2, c.longest_pause + 1))
         if pauses and self._still == 0:
             self._still = length
-        noise = np.zeros(7)
-        noise[:3], noise[5] = slack * moved[:3] / POSITION_SCALE, slack * moved[3] / ROTATION_SCALE
+        noise = np.append(self._arm(slack * moved, slack), 0.0)
         if self._still and slack > 0:
-            noise[:6] -= label[:6]
+            noise[:GRIPPER] -= label[:GRIPPER]
         self._still = max(0, self._still - 1)
+        return noise
+
+    def _arm(self, moved: NDArray[np.float64], slack: float) -> NDArray[np.float64]:
+        """The arm's part of an action that moves the hand by `moved` `(4,)`: position [m], turn about the vertical [rad]."""
+        env = self._env
+        twist = np.array([*moved[:3], 0.0, 0.0, moved[3]])
+        noise = env.controller.action_for(twist, env.data)
+        if env.control == "joint":
+            noise += slack * self._rng.normal(size=noise.shape) * JOINT_TREMBLE / JOINT_SCALE
         return noise
 
 
@@ -110,14 +121,14 @@ def rollout(
     log = Log([], [], [], [])
     start = env.snapshot()
     success, truncated, idle = False, False, 0
-    still = np.zeros(7, np.float32)
+    still = np.zeros(env.action_size, np.float32)
     while not (success or truncated or idle >= LAST_LOOK):
         watch(env)
         action = agent.act(observation)
         idle += action is None
         if action is None:
-            still = np.array([*np.zeros(6), log.actions[-1][6] if log.actions else -1.0], np.float32)
-        label = still if action is None else action
+            still[GRIPPER] = log.actions[-1][GRIPPER] if log.actions else -1.0
+        label = still.copy() if action is None else action
         noise = push(observation, label) if action is not None else None
         done = label if noise is None else np.clip(label + noise, -1.0, 1.0).astype(np.float32)
         log.observations.append(observation)
@@ -153,7 +164,7 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
         info={
             "variant": env.problem.variant,
             "paper_success": env.problem.paper_success(env.state()),
-            "control": "osc",
+            "control": env.control,
             "goal": sorted(str(a) for a in env.problem.goal),
         },
     )

@@ -8,8 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-ACTION_DIM = 7
-"""Delta position (3), delta rotation vector (3), both in the world frame and scaled to [-1, 1]; gripper (-1 open, +1 shut)."""
+GRIPPER = -1
+"""Index of the gripper in an action, whatever moves the arm: -1 opens, +1 shuts it. Before it stands the arm's part."""
+
+OSC = "osc"
+"""The way of control where none is recorded."""
+
+
+def arm_parts(control: str, size: int) -> tuple[slice, ...]:
+    """The parts of an action of `size` numbers that move the arm, each in one unit: all joints together under joint control,
+    else delta position (3) and delta rotation vector (3), base frame."""
+    return (slice(0, size - 1),) if control == "joint" else (slice(0, 3), slice(3, 6))
+
 
 PROPRIOCEPTION: dict[str, int] = {
     "robot0_eef_pos": 3,
@@ -18,7 +28,8 @@ PROPRIOCEPTION: dict[str, int] = {
     "robot0_target_error": 6,
 }
 """Names and sizes of the low-dimensional observations: tcp position [m], tcp quaternion (xyzw, as robosuite has it),
-finger positions [m], and the controller's target minus the tcp (position [m], rotation vector [rad])."""
+finger positions [m], and the controller's target minus the tcp (position [m], rotation vector [rad]). Under joint control
+`robot0_joint_pos` and `robot0_joint_target_error` `(dof,)` [rad] stand in place of the last."""
 
 IMAGE_SUFFIX = "_image"
 IMAGE_SIZE = 84
@@ -31,8 +42,8 @@ Observation = dict[str, NDArray[Any]]
 class Episode:
     """One run of one agent in one task.
 
-    `observations[name]` has shape `(T, ...)`: what was seen before each action. `actions` `(T, 7)` float32 are the labels:
-    the agent's own answer to each observation. `executed` `(T, 7)` float32 is what was applied; it differs from `actions`
+    `observations[name]` has shape `(T, ...)`: what was seen before each action. `actions` `(T, n)` float32 are the labels:
+    the agent's own answer to each observation. `executed` `(T, n)` float32 is what was applied; it differs from `actions`
     only where the episode was perturbed on purpose. `initial_state` `(n,)` float64 is the simulator's full physics state
     before the first action, from which the episode can be started again. `objects` `(T, k, 3)` float32 are the positions [m] of
     the scene's movable bodies in the base frame, as `object_names` orders them (privileged: never a policy's input).

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
-from optimus.data.episode import Episode
+from optimus.data.episode import OSC, Episode
 from optimus.data.episode_file import (
     VERSION,
     EpisodeHeader,
@@ -44,6 +44,7 @@ class EpisodeStore:
         self.task: str = description["task"]
         self.cameras: tuple[str, ...] = tuple(description["cameras"])
         self.config: dict[str, Any] = description["config"]
+        self.control: str = self.config.get("control", OSC)
         self.versions: dict[str, str] = description.get("versions", {})
 
     @classmethod

@@ -17,13 +17,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import IMAGE_SUFFIX
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
-
-GRIPPER = 6
-"""Index of the gripper in an action."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +55,7 @@ class Batch:
     proprioception: dict[str, NDArray[np.float32]]
     """Name -> `(B, F, n)`."""
     actions: NDArray[np.float32]
-    """`(B, F, 7)`: the label of each frame."""
+    """`(B, F, n)`: the label of each frame."""
     weight: NDArray[np.float32]
     """`(B, F)`: weight of each label; 0 where the frame only repeats the first one of its episode."""
     objects: NDArray[np.float32]
@@ -85,7 +82,7 @@ class Windows:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
-        self.cameras = store.cameras
+        self.cameras, self.control = store.cameras, store.control
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         self._tracks = [_track(header, store.cameras, config) for header in headers]
@@ -104,7 +101,7 @@ class Windows:
 
     @property
     def actions(self) -> NDArray[np.float32]:
-        """All labels, `(labels, 7)`."""
+        """All labels, `(labels, n)`."""
         return np.concatenate([t.actions for t in self._tracks])
 
     @property

@@ -11,8 +11,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from optimus.data.episode import IMAGE_SUFFIX, Observation
-from optimus.data.windows import GRIPPER
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, Observation
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
 from optimus.learn.heads import Mixture
@@ -54,7 +53,7 @@ class PolicyAgent:
 
     @torch.inference_mode()
     def act(self, observation: Observation) -> NDArray[np.float32]:
-        """The action `(7,)` for the newest observation; the gripper is -1 or 1."""
+        """The action `(n,)` for the newest observation; the gripper is -1 or 1."""
         token = self._encode(observation)
         # Before the first frame there is the first frame, as in training.
         self._tokens.extend([token] * (1 if self._tokens else self.policy.config.context))

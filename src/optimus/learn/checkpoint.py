@@ -17,6 +17,7 @@ from safetensors.torch import save as serialise
 from torch import Tensor
 
 from optimus.data.atomic import write_json, write_whole
+from optimus.data.episode import OSC
 from optimus.errors import CheckpointError
 from optimus.learn.policy import Policy
 
@@ -55,13 +56,16 @@ def save(run: Path, policy: Policy) -> None:
     )
 
 
-def load(run: Path | str, task: str | None = None) -> Policy:
-    """The policy trained in the folder `run`; `CheckpointError` if it was for another task than `task`."""
+def load(run: Path | str, task: str | None = None, control: str | None = None) -> Policy:
+    """The policy trained in the folder `run`; `CheckpointError` if it was for another task or another control."""
     run = Path(run)
     config = read_config(run)
-    trained_for = config.get("inputs", {}).get("task")
+    inputs = config.get("inputs", {})
+    trained_for, acts_by = inputs.get("task"), inputs.get("control", OSC)
     if task is not None and task != trained_for:
         raise CheckpointError(f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}")
+    if control is not None and control != acts_by:
+        raise CheckpointError(f"{run} was trained for control {acts_by!r}, not {control!r}; name a run of {control!r}")
     try:
         policy = Policy.from_description(config)
     except (KeyError, TypeError, ValueError) as error:

@@ -8,7 +8,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from optimus.data.windows import GRIPPER, Windows
+from optimus.data.episode import GRIPPER
+from optimus.data.windows import Windows
 from optimus.learn.gradient import tensors
 from optimus.learn.policy import Policy
 
@@ -19,10 +20,10 @@ _RUNS_AT_ONCE = 32
 def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float | None = None) -> dict[str, float]:
     """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
 
-    `action_error`: mean distance in position, in units of the action; `action_error_mm`: the same [mm] if the
-    action's scale [m] is known; `gripper_right`: share of gripper answers with the label's sign;
-    `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer, if
-    the policy was taught it.
+    `action_error`: mean distance in position (under joint control: of the joints), in units of the action;
+    `action_error_mm`: the same [mm] if the action's scale [m] is known; `gripper_right`: share of gripper answers
+    with the label's sign; `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer,
+    if the policy was taught it.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]
@@ -44,9 +45,9 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
     seen = frames[:, -1]
     place = policy.located(seen) * policy.objects_deviation + policy.objects_mean
     objects = torch.from_numpy(batch.objects[:, -1])
+    arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
     return {
-        "action_error": distance(answer[:, :3] - label[:, :3]),
-        "rotation_error": distance(answer[:, 3:6] - label[:, 3:6]),
+        **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
         "likelihood": -mixture.log_density(policy.normalise(label)),
         "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).mean(-1),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -11,7 +12,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-from optimus.data.episode import ACTION_DIM
+from optimus.data.episode import OSC, arm_parts
 from optimus.data.windows import Windows
 from optimus.learn.encoder import Encoder, EncoderConfig
 from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
@@ -50,12 +51,21 @@ class PolicyInputs:
     """Name -> size."""
     objects: int
     """Positions that the auxiliary head can be taught."""
+    actions: int = 7
+    """Numbers in an action, the gripper's last."""
+    control: str = OSC
+    """What an action means: the way of control it was recorded with."""
+
+    @property
+    def arm_parts(self) -> tuple[slice, ...]:
+        """The parts of an action that move the arm, each in one unit."""
+        return arm_parts(self.control, self.actions)
 
     @classmethod
     def of(cls, task: str, windows: Windows) -> PolicyInputs:
         """The inputs that a dataset has."""
         sizes = {name: array.shape[1] for name, array in windows.proprioception.items()}
-        return cls(task, windows.cameras, sizes, windows.objects.shape[1])
+        return cls(task, windows.cameras, sizes, windows.objects.shape[1], windows.actions.shape[1], windows.control)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:
@@ -83,14 +93,14 @@ class Policy(nn.Module):
         # too, but small among them, and took the trunk many times as many steps to find there.
         self.embed = nn.Linear(seen + 3 * inputs.objects, config.trunk.width)
         self.trunk = Transformer(config.trunk, config.context)
-        self.head = MixtureHead(config.head, config.trunk.width, ACTION_DIM)
+        self.head = MixtureHead(config.head, config.trunk.width, inputs.actions)
         # From the images alone: the hand is where the object is for most of an episode, and told where the hand is, this
         # would never learn to look (docs/results/first-policies.md).
         self.locate = nn.Sequential(nn.Linear(self.looked, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects))
         for name, size in (("low", low), ("objects", 3 * inputs.objects)):
             self.register_buffer(f"{name}_mean", torch.zeros(size))
             self.register_buffer(f"{name}_deviation", torch.ones(size))
-        self.register_buffer("action_scale", torch.ones(ACTION_DIM))
+        self.register_buffer("action_scale", torch.ones(inputs.actions))
         self.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
 
     def fit_normalisation(self, windows: Windows) -> None:
@@ -100,10 +110,10 @@ class Policy(nn.Module):
         for name, values in (("low", low), ("objects", objects)):
             getattr(self, f"{name}_mean").copy_(values.mean(0))
             getattr(self, f"{name}_deviation").copy_(values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION))
-        # One scale for all of position and one for all of rotation, so that directions are kept; +-0.9
+        # One scale for all of position and one for all of rotation (or one for all joints), so that directions are kept; +-0.9
         # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)
-        for part in (slice(0, 3), slice(3, 6)):
+        for part in self.inputs.arm_parts:
             self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
 
     def frames(
@@ -139,7 +149,7 @@ class Policy(nn.Module):
         return self.head(features)
 
     def normalise(self, actions: Tensor) -> Tensor:
-        """Actions `(..., 7)` to what the head is taught."""
+        """Actions `(..., n)` to what the head is taught."""
         return actions / self.action_scale
 
     def denormalise(self, actions: Tensor) -> Tensor:
@@ -163,6 +173,12 @@ class Policy(nn.Module):
     def from_description(cls, value: Mapping[str, Any]) -> Policy:
         """A policy of this shape, with weights yet to be loaded."""
         return cls(PolicyConfig.from_json(value["policy"]), PolicyInputs.from_json(value["inputs"]))
+
+    @classmethod
+    def described(cls, value: Mapping[str, Any]) -> dict[str, Any]:
+        """A description that an earlier version wrote, with what it could not yet say, JSON-able."""
+        policy, inputs = PolicyConfig.from_json(value["policy"]), PolicyInputs.from_json(value["inputs"])
+        return json.loads(json.dumps({"policy": asdict(policy), "inputs": asdict(inputs)}))
 
     def _low(self, proprioception: Mapping[str, Tensor]) -> Tensor:
         """Low-dimensional observations in one vector; quaternions as two columns of their rotation matrix."""

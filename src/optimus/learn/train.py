@@ -23,9 +23,10 @@ import torch
 
 from optimus.data.atomic import make_folder
 from optimus.data.curate import load_curation
+from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore, installed_versions
 from optimus.data.windows import WindowConfig, Windows
-from optimus.errors import CheckpointError, OptimusError
+from optimus.errors import CheckpointError, DatasetError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
 from optimus.learn.heldout import held_out
@@ -121,14 +122,14 @@ class _Trainer:
         budget = math.inf if config.steps is not None else 60 * config.minutes
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
         store, curation = EpisodeStore.open(sources.dataset), load_curation(sources.dataset)
-        extra = EpisodeStore.open(sources.corrections).headers() if sources.corrections else []
+        extra = _corrections(sources.corrections, store.control)
         context, crop = policy_config.context, policy_config.crop
         cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
         self.windows = Windows(store, curation.train, cut, extra)
         self.validation = Windows(store, curation.validation, WindowConfig(context, 1, crop))
         self.position_scale: float | None = store.config.get(POSITION_SCALE)
         if sources.initial:
-            policy = checkpoint.load(sources.initial, store.task).train()
+            policy = checkpoint.load(sources.initial, store.task, store.control).train()
         else:
             policy = fresh_policy(policy_config, PolicyInputs.of(store.task, self.windows), config.seed)
             policy.fit_normalisation(self.windows)
@@ -210,6 +211,7 @@ class _Trainer:
         what = json.loads(json.dumps({**policy.description(), "train": asdict(config), **about}))
         if (self.run / checkpoint.CONFIG_FILE).exists():
             there = checkpoint.read_config(self.run)
+            there = {**there, **Policy.described(there)}
             _require_same(self.run, there, what)
             return Runtime(**there["runtime"]), StepPlan(**there["plan"])
         runtime, plan = config.runtime or usual_runtime(config.loss.runs), StepPlan(config.steps or 1)
@@ -222,6 +224,16 @@ class _Trainer:
         settled = {"runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})
         return runtime, plan
+
+
+def _corrections(path: Path | None, control: str) -> list[EpisodeHeader]:
+    """All episodes of the dataset of corrections, if there is one; `DatasetError` if their actions mean something else."""
+    if path is None:
+        return []
+    store = EpisodeStore.open(path)
+    if store.control != control:
+        raise DatasetError(f"{path} was collected with control = {store.control!r}, not {control!r}; collect it again")
+    return store.headers()
 
 
 def fresh_policy(config: PolicyConfig, inputs: PolicyInputs, seed: int) -> Policy:

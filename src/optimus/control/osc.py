@@ -1,0 +1,53 @@
+"""Operational-space control: the tcp pulled to a target pose, in the coordinates of the task."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import mujoco
+import numpy as np
+
+from optimus.control.pose_target import PoseTarget
+from optimus.se3 import Array
+from optimus.world import World
+
+KP = 400.0
+"""Stiffness [1/s^2], position and rotation alike; damping is critical."""
+NULL_KP = 10.0
+"""Stiffness of the pull towards home in the null space [1/s^2]."""
+
+
+class OperationalSpace(PoseTarget):
+    """Khatib's operational-space law with the full (coupled) task inertia and a null-space pull towards home.
+
+    The action moves a *target* pose, which the law pulls the tcp to; source of the law: Khatib, "A unified approach for motion
+    and force control of robot manipulators: the operational space formulation" (1987).
+    """
+
+    name: ClassVar[str] = "osc"
+
+    def __init__(self, world: World) -> None:
+        super().__init__(world)
+        self._jacp = np.zeros((3, world.model.nv))
+        self._jacr = np.zeros((3, world.model.nv))
+        self._mass = np.zeros((world.model.nv, world.model.nv))
+        self._limits = np.array(world.scene.robot.torque_limits)
+        self._damping = world.model.dof_damping[world.arm_dof].ravel().copy()
+
+    def torque(self, data: mujoco.MjData) -> Array:
+        """Joint torques `(dof,)` [N m], after `mj_step1`."""
+        w = self.world
+        mujoco.mj_jacSite(w.model, data, self._jacp, self._jacr, w.tcp_site)
+        jac = np.concatenate([self._jacp[:, w.arm_dof], self._jacr[:, w.arm_dof]])
+        mujoco.mj_fullM(w.model, data, self._mass)
+        mass = self._mass[np.ix_(w.arm_dof, w.arm_dof)]
+        qvel = data.qvel[w.arm_dof]
+        mass_inv = np.linalg.inv(mass)
+        mass_inv_jt = mass_inv @ jac.T
+        task_mass = np.linalg.inv(jac @ mass_inv_jt + 1e-3 * np.eye(6))
+        wrench = task_mass @ (KP * self.target_error(data) - 2.0 * np.sqrt(KP) * (jac @ qvel))
+        relax = mass @ (NULL_KP * (w.home - data.qpos[w.arm_qpos]) - 2.0 * np.sqrt(NULL_KP) * qvel)
+        # what of it moves the tcp is taken out again (dynamically consistent projection)
+        relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))
+        torque = jac.T @ wrench + relax + data.qfrc_bias[w.arm_dof] + self._damping * qvel
+        return np.clip(torque, -self._limits, self._limits)
