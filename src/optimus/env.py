@@ -127,7 +127,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """What an agent may see, under robosuite's names (`robot0_eef_quat` is xyzw, as there)."""
         tcp = self.world.tcp(self.data)
         quat = tcp.quat if tcp.quat[1] >= 0 else -tcp.quat
-        fingers = self.data.qpos[self.world.finger_qpos]
+        fingers = self.world.finger_gaps(self.data)
         seen: Observation = {
             "robot0_eef_pos": tcp.pos.astype(np.float32),
             "robot0_eef_quat": np.array([*quat[1:], quat[0]], np.float32),

@@ -27,7 +27,7 @@ class Kinematics:
         self._data = mujoco.MjData(world.model)
         self._jacp = np.zeros((3, world.model.nv))
         self._jacr = np.zeros((3, world.model.nv))
-        self._analytic = world.scene.robot.name == "panda"
+        self._analytic = world.scene.robot.ik == "panda"
 
     def fk(self, q: Array) -> Pose:
         """`base_from_tcp` at `q` `(dof,)` [rad]."""
