@@ -17,6 +17,7 @@ from optimus.data.episode import IMAGE_SIZE
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.render import Rig
+from optimus.robots import Robot
 from optimus.tasks import task as task_named
 from optimus.workers import available_cores, executor
 
@@ -29,16 +30,18 @@ def spread(values: list[float], scale: float = 1.0) -> dict[str, float]:
     return {"median": float(np.median(v)), "p95": float(np.percentile(v, 95)), "max": float(v.max())}
 
 
-def _expert_attempt(task: str, seed: int) -> Attempt:
-    return demonstrate(ManipulationEnv(task_named(task), images=False), seed, ExpertConfig())
+def _expert_attempt(task: str, seed: int, robot: Robot | None) -> Attempt:
+    return demonstrate(ManipulationEnv(task_named(task), images=False, robot=robot), seed, ExpertConfig())
 
 
-def bench_expert(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_expert(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, robot: Robot | None = None
+) -> dict[str, Any]:
     """The expert, unperturbed and without images, on `episodes` consecutive seeds."""
     task_named(task)
     attempts: list[Attempt] = []
     with executor(workers) as pool:
-        for future in [pool.submit(_expert_attempt, task, seed + i) for i in range(episodes)]:
+        for future in [pool.submit(_expert_attempt, task, seed + i, robot) for i in range(episodes)]:
             attempts.append(future.result())
             progress(len(attempts), sum(a.success for a in attempts))
     played = [a.episode for a in attempts if a.episode is not None]
@@ -48,6 +51,7 @@ def bench_expert(task: str, episodes: int, seed: int, workers: int, progress: Pr
     return {
         "task": task,
         "control": "osc",
+        "robot": "panda" if robot is None else robot.name,
         "seed": seed,
         "episodes": episodes,
         "successes": sum(a.success for a in attempts),
@@ -59,12 +63,14 @@ def bench_expert(task: str, episodes: int, seed: int, workers: int, progress: Pr
     }
 
 
-def bench_collect(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_collect(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, robot: Robot | None = None
+) -> dict[str, Any]:
     """Collection as users run it: perturbed, rendered, written; process start-up included."""
     workers = workers or available_cores()
     folder = Path(tempfile.mkdtemp(prefix="optimus-bench-"))
     try:
-        config = CollectConfig(task, folder / "data", episodes, seed, workers)
+        config = CollectConfig(task, folder / "data", episodes, seed, workers, robot=robot)
         result = collect(config, lambda done: progress(done, done))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
@@ -80,12 +86,14 @@ def bench_collect(task: str, episodes: int, seed: int, workers: int, progress: P
     }
 
 
-def bench_step(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_step(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, robot: Robot | None = None
+) -> dict[str, Any]:
     """CPU milliseconds of one 20 Hz step, with and without images, with random actions."""
     rng = np.random.default_rng(seed)
     result: dict[str, Any] = {"task": task}
     for images in (True, False):
-        env = ManipulationEnv(task_named(task), images=images)
+        env = ManipulationEnv(task_named(task), images=images, robot=robot)
         times = []
         for i in range(episodes):
             env.reset(seed=seed + i)
@@ -99,9 +107,11 @@ def bench_step(task: str, episodes: int, seed: int, workers: int, progress: Prog
     return result
 
 
-def bench_render(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_render(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, robot: Robot | None = None
+) -> dict[str, Any]:
     """CPU milliseconds of one 84 x 84 frame, by camera."""
-    env = ManipulationEnv(task_named(task), images=False)
+    env = ManipulationEnv(task_named(task), images=False, robot=robot)
     env.reset(seed=seed)
     rig = Rig(env.world, IMAGE_SIZE)
     result: dict[str, Any] = {"task": task, "size": IMAGE_SIZE, "frame_ms": {}}
@@ -118,7 +128,9 @@ def bench_render(task: str, episodes: int, seed: int, workers: int, progress: Pr
     return result
 
 
-def bench_action(task: str, episodes: int, seed: int, workers: int, progress: Progress) -> dict[str, Any]:
+def bench_action(
+    task: str, episodes: int, seed: int, workers: int, progress: Progress, robot: Robot | None = None
+) -> dict[str, Any]:
     """CPU milliseconds of one action of the `quick` policy on one core, images to action (weights do not matter: fresh ones)."""
     import torch
 
@@ -126,7 +138,7 @@ def bench_action(task: str, episodes: int, seed: int, workers: int, progress: Pr
     from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 
     torch.set_num_threads(1)
-    env = ManipulationEnv(task_named(task))
+    env = ManipulationEnv(task_named(task), robot=robot)
     observation, _ = env.reset(seed=seed)
     low = {k: v.shape[0] for k, v in observation.items() if v.ndim == 1}
     inputs = PolicyInputs(task, env.world.image_cameras, low, len(env.world.scene.movable_names))

@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass, field
 from functools import lru_cache, partial
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from optimus.control import POSITION_SCALE
 from optimus.correct import Corrections, Turns
@@ -19,6 +20,7 @@ from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError
+from optimus.robots import Robot
 from optimus.rollout import Perturbation
 from optimus.tasks import task as task_named
 from optimus.workers import available_cores, executor
@@ -43,6 +45,8 @@ class CollectConfig:
     expert: ExpertConfig = field(default_factory=lambda: ExpertConfig(perturbation=Perturbation()))
     turns: Turns | None = None
     """Collect corrections: a policy and the expert take turns to act, in place of the perturbation."""
+    robot: Robot | None = None
+    """Takes the place of the task's own."""
     max_seconds: float = math.inf
     """Begin no further attempt after this time, even if that leaves fewer episodes than wanted."""
 
@@ -69,13 +73,13 @@ class _Outcome:
 
 
 @lru_cache(maxsize=2)
-def _env(task: str) -> ManipulationEnv:
-    return ManipulationEnv(task_named(task))
+def _env(task: str, robot: Robot | None) -> ManipulationEnv:
+    return ManipulationEnv(task_named(task), robot=robot)
 
 
 def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     """One seed, in a worker: its episode or the reason of its failure is written before this returns."""
-    env, turns = _env(config.task), config.turns
+    env, turns = _env(config.task, config.robot), config.turns
     env.cpu.clear()
     attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))
     began = time.process_time()
@@ -96,9 +100,12 @@ def _store(out: Path) -> EpisodeStore:
 def open_dataset(config: CollectConfig) -> EpisodeStore:
     """The dataset folder of a collection, made or opened; errors if it belongs to another one."""
     task = task_named(config.task)
-    cameras = compile_scene(task.problem(config.seed).scene).image_cameras
+    scene = task.problem(config.seed, config.robot).scene
+    cameras = compile_scene(scene).image_cameras
     _require_writable(config.out)
-    about = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
+    about: dict[str, Any] = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
+    if config.robot is not None:
+        about["robot"] = scene.robot.name
     if config.turns is not None:
         about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
     return EpisodeStore.create(config.out, task.name, cameras, about)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from optimus.control import CONTROL_HZ, OperationalSpace, OscConfig
 from optimus.data.episode import ACTION_DIM, IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
 from optimus.render import Rig
+from optimus.robots import Robot
 from optimus.scene import Camera
 from optimus.se3 import Array
 from optimus.spec import PHYSICS_DT
@@ -40,14 +41,20 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
 
     def __init__(
-        self, task: Task, images: bool = True, render_mode: str | None = None, osc: OscConfig | None = None
+        self,
+        task: Task,
+        images: bool = True,
+        render_mode: str | None = None,
+        osc: OscConfig | None = None,
+        robot: Robot | None = None,
     ) -> None:
-        self.task, self.images, self.render_mode = task, images, render_mode
+        """`robot` takes the place of the task's own."""
+        self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self._osc = osc
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (ACTION_DIM,), np.float32)
-        self._start(task.problem(0), 0)
+        self._start(task.problem(0, robot), 0)
         self.observation_space = gymnasium.spaces.Dict(self._spaces())  # pyright: ignore[reportAttributeAccessIssue]
 
     def _spaces(self) -> dict[str, gymnasium.Space[Any]]:
@@ -76,7 +83,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         `snapshot()` gives it, to start from instead of the problem's own."""
         super().reset(seed=seed)
         drawn = int(self.np_random.integers(2**31)) if seed is None else seed
-        self._start(self.task.problem(drawn), drawn)
+        self._start(self.task.problem(drawn, self._robot), drawn)
         opening = 2 * self.world.scene.robot.finger_travel
         state = State(self.world.home, opening, self.problem.poses, tcp=self.world.tcp(self.data))
         self.world.write(self.data, state)

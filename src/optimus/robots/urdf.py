@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -17,6 +18,7 @@ log = logging.getLogger(__name__)
 
 COLLISION_FORMATS = {".stl", ".obj", ".msh"}
 """What MuJoCo reads itself."""
+PREFIX = re.compile(r"[<\s]/?([A-Za-z_][\w.-]*):[A-Za-z_][\w.-]*[\s=>/]")
 SHOWN_GROUP, HIDDEN_GROUP = 2, 3
 SPHERE_RADIUS = 0.03
 """Of the solid sphere that stands in for a link of which only the mass is given [m]."""
@@ -51,11 +53,19 @@ def read_urdf(path: Path) -> mujoco.MjSpec:
 
 def _parse(path: Path) -> ET.Element:
     try:
-        root = ET.parse(path).getroot()
+        text = path.read_text(encoding="utf-8")
+        # other programs' extensions (drake:acceleration, ...) are often left undeclared
+        declared = "".join(f' xmlns:{p}="{p}"' for p in sorted(set(PREFIX.findall(text))) if f"xmlns:{p}=" not in text)
+        root = ET.fromstring(re.sub(r"<robot\b", f"<robot{declared}", text, count=1))
     except (ET.ParseError, OSError, UnicodeDecodeError) as error:
         raise RobotFileError(f"{path} is not a URDF: {error}") from error
     if root.tag != "robot":
         raise RobotFileError(f"{path} is not a URDF: its root is <{root.tag}>, not <robot>")
+    for element in root.iter():
+        for child in [c for c in element if not isinstance(c.tag, str) or c.tag.startswith("{")]:
+            element.remove(child)
+        for key in [k for k in element.attrib if k.startswith("{")]:
+            del element.attrib[key]
     return root
 
 
