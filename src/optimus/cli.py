@@ -16,6 +16,7 @@ from tqdm import tqdm
 from optimus.errors import OptimusError, UnknownNameError
 
 TaskName = Annotated[str, tyro.conf.Positional, tyro.conf.arg(metavar="TASK", help="a task's name; `optimus tasks` lists them")]
+RobotName = Annotated[str | None, tyro.conf.arg(metavar="ROBOT", help="a robot's name or robot file; by default the task's own")]
 Folder = Annotated[Path, tyro.conf.Positional]
 
 
@@ -40,6 +41,13 @@ def _counter(bar: Any) -> Callable[[int, int], None]:
     return progress
 
 
+def _robot(name: str | None) -> Any:
+    """The robot that takes the place of the task's own; None for that one."""
+    from optimus.robots.catalogue import robot as robot_named
+
+    return None if name is None else robot_named(name)
+
+
 def tasks(json: bool = False) -> None:
     """List the tasks.
 
@@ -54,12 +62,15 @@ def tasks(json: bool = False) -> None:
     _say({"tasks": rows}, json, "\n".join(f"{r['name']:<14} {r['summary']}  [{r['gym']}]" for r in rows))
 
 
-def show(task: TaskName, plan: bool = False, seed: int = 0, out: Path | None = None, json: bool = False) -> None:
+def show(
+    task: TaskName, plan: bool = False, seed: int = 0, out: Path | None = None, robot: RobotName = None, json: bool = False
+) -> None:
     """Write a picture of a task's start, or with --plan of the expert's plan.
 
     Try:
         optimus show stack --seed 3
         optimus show stack --plan --seed 3 --out plan.png
+        optimus show stack --robot ur5e
 
     Args:
         plan: draw the plan, one skill after another, with its motions (blue: hand empty, orange: carrying)
@@ -72,10 +83,10 @@ def show(task: TaskName, plan: bool = False, seed: int = 0, out: Path | None = N
     chosen = task_named(task)
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
     if plan:
-        found = show_plan(chosen, seed, out)
+        found = show_plan(chosen, seed, out, robot=_robot(robot))
         text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))
     else:
-        text = show_scene(chosen, seed, out)
+        text = show_scene(chosen, seed, out, _robot(robot))
     _say({"picture": str(out), "shows": text}, json, f"{text}\n{out}")
 
 
@@ -88,6 +99,7 @@ def collect(
     perturb: bool = True,
     stall: int = 5,
     policy: Path | None = None,
+    robot: RobotName = None,
     json: bool = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
@@ -115,7 +127,8 @@ def collect(
     from optimus.rollout import Perturbation
 
     expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None)
-    config = CollectConfig(task, out, episodes, seed, workers, expert, Turns(policy) if policy else None)
+    turns = Turns(policy) if policy else None
+    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, robot=_robot(robot))
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
@@ -299,6 +312,7 @@ def bench(
     episodes: int = 20,
     seed: int = 0,
     workers: int = 1,
+    robot: RobotName = None,
     json: bool = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
@@ -314,7 +328,7 @@ def bench(
     from optimus.bench import BENCHES
 
     with _bar(episodes, f"bench {what} {task}", "episode") as bar:
-        result = BENCHES[what](task, episodes, seed, workers, _counter(bar))
+        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), _robot(robot))
     _say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
 
 

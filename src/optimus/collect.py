@@ -45,10 +45,10 @@ class CollectConfig:
     expert: ExpertConfig = field(default_factory=lambda: ExpertConfig(perturbation=Perturbation()))
     turns: Turns | None = None
     """Collect corrections: a policy and the expert take turns to act, in place of the perturbation."""
-    robot: Robot | None = None
-    """Takes the place of the task's own."""
     max_seconds: float = math.inf
     """Begin no further attempt after this time, even if that leaves fewer episodes than wanted."""
+    robot: Robot | None = None
+    """Takes the place of the task's own."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,8 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     scene = task.problem(config.seed, config.robot).scene
     cameras = compile_scene(scene).image_cameras
     _require_writable(config.out)
-    about: dict[str, Any] = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": asdict(config.expert)}
+    expert = asdict(config.expert)
+    about: dict[str, Any] = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": expert}
     if config.robot is not None:
         about["robot"] = scene.robot.name
     if config.turns is not None:

@@ -128,6 +128,6 @@ def look_at(pos: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)) 
     """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre."""
     z = np.asarray(pos, float) - np.asarray(target, float)
     z /= np.linalg.norm(z)
-    x = np.cross(up, z)
+    x = np.cross(np.asarray(up, float), z)
     x /= np.linalg.norm(x)
     return quat_from_matrix(np.column_stack([x, np.cross(z, x), z]))

@@ -8,15 +8,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import mujoco
-
 from optimus.errors import RobotFileError
 from optimus.objects.shapes import Vec3
 from optimus.robots.derive import CAMERA_POS, CAMERA_TARGET, derive
 from optimus.robots.model import assemble, names
 from optimus.robots.paths import find_model
 from optimus.robots.robot import GRIPPER_PREFIX, Mount, Quat, Robot
-from optimus.se3 import Array, matrix_from_quat, quat_from_rotvec, quat_mul
+from optimus.se3 import Array, quat_from_rotvec, quat_mul
 
 POSE_KEYS = {"pos", "rpy"}
 KEYS = {
@@ -28,7 +26,12 @@ KEYS = {
     "base": POSE_KEYS,
     "camera": {"pos", "target", "fovy"},
 }
-NEEDED = {"": ("model", "joints", "home", "gripper"), "gripper": ("joints", "bodies"), "gripper.mount": ("body",), "gripper.pad": ("pos", "half")}
+NEEDED = {
+    "": ("model", "joints", "home", "gripper"),
+    "gripper": ("joints", "bodies"),
+    "gripper.mount": ("body",),
+    "gripper.pad": ("pos", "half"),
+}
 
 
 def read_robot(path: Path) -> Robot:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
-import os
 import shutil
 import tempfile
 from dataclasses import dataclass
@@ -47,7 +46,7 @@ def parts_of(path: Path, scale: float) -> tuple[Part, ...]:
 
 
 def _build(path: Path, scale: float, target: Path) -> Path:
-    """Write the parts beside `target` and rename them into place; where the cache cannot be written, they stay in a scratch folder."""
+    """Write the parts beside `target` and rename them into place; without a cache to write to, they stay in a scratch folder."""
     pieces = _pieces(path)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -64,7 +63,7 @@ def _build(path: Path, scale: float, target: Path) -> Path:
     (stage / RECORD).write_text(json.dumps(record), encoding="utf-8")
     if stage != target:
         with contextlib.suppress(OSError):  # another process was first
-            os.replace(stage, target)
+            stage.replace(target)
         shutil.rmtree(stage, ignore_errors=True)
     return target
 
