@@ -31,9 +31,14 @@ def derive(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> Robot:
         robot = _with_travel(robot, spec, given)
     if min(abs(o - s) for o, s in zip(robot.finger_open, robot.finger_shut, strict=True)) < 1e-4:
         raise RobotFileError("the fingers do not move: gripper.shut and gripper.open are the same")
-    model = robot_spec(robot).compile()
+    try:
+        model = robot_spec(robot).compile()
+    except ValueError as error:
+        raise RobotFileError(f"the model does not compile: {' '.join(str(error).split())}") from error
     data = mujoco.MjData(model)
     _require_home_within(robot, model)
+    if robot.gripper_actuator is not None:
+        robot = replace(robot, actuator_travel=_actuator_travel(robot, model, data))
     return replace(robot, untouching=_touching_at_home(robot, model, data))
 
 
@@ -52,6 +57,9 @@ def _with_travel(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> R
     """Fingers are open at that end of their joint's range at which they are further apart along the tool's y."""
     if not all(any(g.contype for g in spec.body(name).geoms) for name in robot.finger_bodies):
         raise RobotFileError(f"gripper.bodies should be what touches: {' or '.join(robot.finger_bodies)} has no collision shape")
+    for name in robot.fingers:
+        if spec.joint(name).type != mujoco.mjtJoint.mjJNT_SLIDE:
+            raise RobotFileError(f"the finger joint {name} does not slide: only fingers that move along a line are known here")
     ranges = [tuple(float(v) + 0.0 for v in spec.joint(name).range) for name in robot.fingers]
     if any(low == high for low, high in ranges):
         raise RobotFileError("the finger joints have no range: give gripper.shut and gripper.open")
@@ -86,13 +94,29 @@ def _require_home_within(robot: Robot, model: mujoco.MjModel) -> None:
             raise RobotFileError(f"home is outside the range of {name}: {value} is not in {low:.3f} to {high:.3f} rad")
 
 
+def _actuator_travel(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[float, float]:
+    """The gripper actuator's length with the hand shut and with it open [m]."""
+    lengths = []
+    for fingers in (robot.finger_shut, robot.finger_open):
+        _pose(robot, model, data, fingers)
+        lengths.append(float(data.actuator_length[model.actuator(robot.gripper_actuator).id]))
+    if abs(lengths[1] - lengths[0]) < 1e-6:
+        raise RobotFileError(f"the actuator {robot.gripper_actuator} does not move the fingers")
+    return (lengths[0], lengths[1])
+
+
+def _pose(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData, fingers: tuple[float, float]) -> None:
+    """Put the arm at home and the fingers where they should be."""
+    for name, value in zip((*robot.joints, *robot.fingers), (*robot.home, *fingers), strict=True):
+        data.qpos[model.joint(name).qposadr[0]] = value
+    mujoco.mj_forward(model, data)
+
+
 def _touching_at_home(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[tuple[str, str], ...]:
     """Bodies of the robot that meet at home, hand shut or open: neighbours whose shapes overlap. The fingers may meet."""
     pairs: set[tuple[str, str]] = set()
     for fingers in (robot.finger_shut, robot.finger_open):
-        for name, value in zip((*robot.joints, *robot.fingers), (*robot.home, *fingers), strict=True):
-            data.qpos[model.joint(name).qposadr[0]] = value
-        mujoco.mj_forward(model, data)
+        _pose(robot, model, data, fingers)
         for geoms in data.contact.geom[: data.ncon]:
             a, b = sorted(model.body(int(model.geom_bodyid[g])).name for g in geoms)
             pairs.add((a, b))

@@ -132,25 +132,26 @@ def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
 def _drive_gripper(spec: mujoco.MjSpec, robot: Robot) -> None:
     """Position control of the fingers' opening, from 0 to `FULL_CTRL`; as shipped, most press too little or not at all."""
     if robot.gripper_actuator is not None:
-        actuator = spec.actuator(robot.gripper_actuator)
-        actuator.gainprm[:3] = [GRIPPER_KP * robot.finger_travel / FULL_CTRL, 0.0, 0.0]
-        actuator.biasprm[:3] = [0.0, -GRIPPER_KP, -GRIPPER_KV]
-        actuator.forcerange = [-GRIPPER_FORCE, GRIPPER_FORCE]
-        return
-    for name, shut, wide in zip(robot.fingers, robot.finger_shut, robot.finger_open, strict=True):
-        joint = spec.joint(name)
-        joint.actfrclimited = mujoco.mjtLimited.mjLIMITED_FALSE
-        actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-        actuator.gaintype = mujoco.mjtGain.mjGAIN_FIXED
-        actuator.biastype = mujoco.mjtBias.mjBIAS_AFFINE
-        kp, kv = GRIPPER_KP / 2, GRIPPER_KV / 2
-        actuator.gainprm[:3] = [kp * (wide - shut) / FULL_CTRL, 0.0, 0.0]
-        actuator.biasprm[:3] = [kp * shut, -kp, -kv]
-        actuator.ctrlrange = [0.0, FULL_CTRL]
-        actuator.forcerange = [-GRIPPER_FORCE / 2, GRIPPER_FORCE / 2]
-    first, second = robot.fingers
-    if not any({e.name1, e.name2} == {first, second} for e in spec.equalities):
+        _drive(spec.actuator(robot.gripper_actuator), *robot.actuator_travel)
+    else:
+        for name, shut, wide in zip(robot.fingers, robot.finger_shut, robot.finger_open, strict=True):
+            # the model's own limit may be that of a gentle controller
+            spec.joint(name).actfrclimited = mujoco.mjtLimited.mjLIMITED_FALSE
+            actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+            _drive(actuator, shut, wide, share=0.5)
+    if not any({e.name1, e.name2} == set(robot.fingers) for e in spec.equalities):
         _gear(spec, robot)
+
+
+def _drive(actuator: mujoco.MjsActuator, shut: float, wide: float, share: float = 1.0) -> None:
+    """Make an actuator hold its length between `shut` and `wide` [m], with a share of the gripper's force."""
+    kp, kv, force = share * GRIPPER_KP, share * GRIPPER_KV, share * GRIPPER_FORCE
+    actuator.gaintype, actuator.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_AFFINE
+    actuator.dyntype = mujoco.mjtDyn.mjDYN_NONE
+    actuator.gainprm[:3] = [kp * (wide - shut) / FULL_CTRL, 0.0, 0.0]
+    actuator.biasprm[:3] = [kp * shut, -kp, -kv]
+    actuator.ctrlrange = [0.0, FULL_CTRL]
+    actuator.forcerange = [-force, force]
 
 
 def _gear(spec: mujoco.MjSpec, robot: Robot) -> None:

@@ -15,6 +15,7 @@ PANDA = Robot(
     torque_limits=(87.0, 87.0, 87.0, 87.0, 12.0, 12.0, 12.0),
     finger_open=(0.04, 0.04),
     gripper_actuator="actuator8",
+    actuator_travel=(0.0, 0.04),
     # one thick box for Menagerie's five thin ones, in which a round thing can get caught
     pad_pos=(0.0, 0.004, 0.0445),
     pad_half=(0.0085, 0.004, 0.0095),

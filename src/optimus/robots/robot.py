@@ -55,7 +55,9 @@ class Robot:
     finger_shut: tuple[float, float] = (0.0, 0.0)
     """... and when the fingertips meet [m]."""
     gripper_actuator: str | None = None
-    """What drives the fingers; None: an actuator of our own each, and a gear that keeps them symmetric."""
+    """What drives the fingers; None: an actuator of our own each."""
+    actuator_travel: tuple[float, float] = (0.0, 0.0)
+    """Its length in MuJoCo's sense when the hand is shut and when it is open [m]."""
     pad_pos: Vec3 | None = None
     """Centre of the fingertip pad, one box a finger, in the finger's frame [m]; None keeps the model's own."""
     pad_half: Vec3 = (0.0, 0.0, 0.0)
