@@ -105,7 +105,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     _require_writable(config.out)
     expert = asdict(config.expert)
     about: dict[str, Any] = {"seed": config.seed, "control": "osc", "position_scale": POSITION_SCALE, "expert": expert}
-    if config.robot is not None:
+    if scene.robot != task.problem(config.seed).scene.robot:
         about["robot"] = scene.robot.name
     if config.turns is not None:
         about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
