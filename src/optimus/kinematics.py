@@ -8,7 +8,6 @@ from typing import Protocol
 import frankik
 import mujoco
 import numpy as np
-from scipy.stats import qmc
 
 from optimus.se3 import Array, Pose, error_between
 from optimus.world import World
@@ -111,6 +110,16 @@ class PandaWays:
         return found
 
 
+def evenly_spread(count: int, dimensions: int) -> Array:
+    """Points `(count, dimensions)` that fill the unit cube without gaps, the same ones every time: the additive recurrence whose
+    steps are the powers of the generalised golden ratio (Roberts, 2018)."""
+    ratio = 1.0
+    for _ in range(60):  # the root of x^(d + 1) = x + 1
+        ratio = (1.0 + ratio) ** (1.0 / (dimensions + 1))
+    steps = ratio ** -np.arange(1.0, dimensions + 1)
+    return (0.5 + np.outer(np.arange(1, count + 1), steps)) % 1.0
+
+
 class NumericWays:
     """Descent from configurations that led somewhere before, from the other postures of what it finds, and from a fixed spread."""
 
@@ -120,8 +129,7 @@ class NumericWays:
         # continuous joints turn further than any posture needs
         low = np.maximum(kinematics.low, kinematics.home - np.pi)
         high = np.minimum(kinematics.high, kinematics.home + np.pi)
-        spread = qmc.Halton(len(low), scramble=False).random(STARTS + 1)[1:]
-        self._spread = low + spread * (high - low)
+        self._spread = low + evenly_spread(STARTS, len(low)) * (high - low)
 
     def starts(self, target: Pose, near: Array) -> list[Array]:
         found: list[Array] = []

@@ -38,7 +38,7 @@ def derive(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> Robot:
     data = mujoco.MjData(model)
     _require_home_within(robot, model)
     if robot.gripper_actuator is not None:
-        robot = replace(robot, actuator_travel=_actuator_travel(robot, model, data))
+        robot = replace(robot, actuator_travel=_actuator_travel(robot, robot.gripper_actuator, model, data))
     return replace(robot, untouching=_touching_at_home(robot, model, data))
 
 
@@ -94,14 +94,14 @@ def _require_home_within(robot: Robot, model: mujoco.MjModel) -> None:
             raise RobotFileError(f"home is outside the range of {name}: {value} is not in {low:.3f} to {high:.3f} rad")
 
 
-def _actuator_travel(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[float, float]:
+def _actuator_travel(robot: Robot, name: str, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[float, float]:
     """The gripper actuator's length with the hand shut and with it open [m]."""
     lengths = []
     for fingers in (robot.finger_shut, robot.finger_open):
         _pose(robot, model, data, fingers)
-        lengths.append(float(data.actuator_length[model.actuator(robot.gripper_actuator).id]))
+        lengths.append(float(data.actuator_length[model.actuator(name).id]))
     if abs(lengths[1] - lengths[0]) < 1e-6:
-        raise RobotFileError(f"the actuator {robot.gripper_actuator} does not move the fingers")
+        raise RobotFileError(f"the actuator {name} does not move the fingers")
     return (lengths[0], lengths[1])
 
 

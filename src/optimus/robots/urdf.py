@@ -55,7 +55,8 @@ def _parse(path: Path) -> ET.Element:
     try:
         text = path.read_text(encoding="utf-8")
         # other programs' extensions (drake:acceleration, ...) are often left undeclared
-        declared = "".join(f' xmlns:{p}="{p}"' for p in sorted(set(PREFIX.findall(text))) if p not in ("xml", "xmlns") and f"xmlns:{p}=" not in text)
+        used = sorted(set(PREFIX.findall(text)) - {"xml", "xmlns"})
+        declared = "".join(f' xmlns:{p}="{p}"' for p in used if f"xmlns:{p}=" not in text)
         root = ET.fromstring(re.sub(r"<robot\b", f"<robot{declared}", text, count=1))
     except (ET.ParseError, OSError, UnicodeDecodeError) as error:
         raise RobotFileError(f"{path} is not a URDF: {error}") from error
