@@ -128,7 +128,7 @@ def test_an_mjcf_tells_what_we_know_of_the_panda(tmp_path: Path) -> None:
     read = read_robot(panda_file(tmp_path))
     np.testing.assert_allclose(read.camera_pos, PANDA.camera_pos, atol=1e-9)
     np.testing.assert_allclose(read.camera_target, PANDA.camera_target, atol=1e-9)
-    same = replace(read, name="panda", source=PANDA.source, ik="panda", untouching=())
+    same = replace(read, name="panda", source=PANDA.source, ik="panda", untouching=(), speed_limits=PANDA.speed_limits)
     assert replace(same, camera_pos=PANDA.camera_pos, camera_target=PANDA.camera_target) == PANDA
     attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=read), 1, ExpertConfig())
     assert attempt.success, attempt.failure  # with the numeric search, in spite of the redundant joint
@@ -211,6 +211,7 @@ def test_a_careless_urdf_is_read(wild: Path) -> None:
     read = read_robot(wild)
     assert read.finger_open == (0.03, -0.03) and read.finger_shut == (0.0, 0.0)
     assert read.torque_limits == (100.0, 7.0)
+    assert read.speed_limits == (np.pi, 1.0)
     model = read_urdf(wild.parent / "wild_description" / "urdf" / "wild.urdf").compile()
     assert model.neq == 1 and model.body("arm").mass[0] == pytest.approx(1.0)
     groups = {model.body(int(b)).name: set() for b in model.geom_bodyid}

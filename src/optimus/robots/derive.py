@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -11,10 +12,13 @@ import numpy as np
 from optimus.errors import RobotFileError
 from optimus.robots.model import robot_spec
 from optimus.robots.robot import Robot
+from optimus.robots.urdf import urdf_speeds
 from optimus.se3 import Pose
 
 TORQUE = 100.0
 """The limit of a joint for which neither the file nor the model gives one [N m]."""
+SPEED = np.pi
+"""Likewise [rad/s]."""
 CAMERA_POS, CAMERA_TARGET = (0.07, 0.0, -0.0834), (0.0, 0.0, 0.0266)
 """Where the Panda's wrist camera is, and what it looks at, from the tcp [m]."""
 
@@ -25,6 +29,9 @@ def derive(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> Robot:
     model does not say enough, or where home cannot be."""
     if not robot.torque_limits:
         robot = replace(robot, torque_limits=tuple(_torque(spec, name) for name in robot.joints))
+    if not robot.speed_limits:
+        known = urdf_speeds(Path(robot.source)) if robot.source.lower().endswith(".urdf") else {}
+        robot = replace(robot, speed_limits=tuple(known.get(name, SPEED) for name in robot.joints))
     eye, target = (_from_tool(robot, point) for point in (robot.camera_pos, robot.camera_target))
     robot = replace(robot, camera_pos=eye, camera_target=target)
     if {"shut", "open"} - set(given):

@@ -18,7 +18,7 @@ from optimus.se3 import Array, quat_from_rotvec, quat_mul
 
 POSE_KEYS = {"pos", "rpy"}
 KEYS = {
-    "": {"name", "model", "joints", "home", "hand", "tcp", "base", "gripper", "camera", "torque_limits"},
+    "": {"name", "model", "joints", "home", "hand", "tcp", "base", "gripper", "camera", "torque_limits", "speed_limits"},
     "gripper": {"model", "mount", "joints", "bodies", "actuator", "shut", "open", "pad"},
     "gripper.mount": {"body", *POSE_KEYS},
     "gripper.pad": {"pos", "half"},
@@ -76,6 +76,7 @@ def _robot(raw: dict[str, Any], path: Path) -> Robot:
         tcp_quat=tcp.turn(),
         home=top.numbers("home", count),
         torque_limits=top.numbers("torque_limits", count) if "torque_limits" in raw else (),
+        speed_limits=top.numbers("speed_limits", count) if "speed_limits" in raw else (),
         finger_shut=gripper.pair("shut"),
         finger_open=gripper.pair("open"),
         gripper_actuator=actuator,

@@ -13,6 +13,7 @@ PANDA = Robot(
     # tcp at (0.50, 0, 0.25) m in the base frame, pointing straight down
     home=(0.0, -0.0419, 0.0, -2.3344, 0.0, 2.2925, 0.7854),
     torque_limits=(87.0, 87.0, 87.0, 87.0, 12.0, 12.0, 12.0),
+    speed_limits=(2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61),
     finger_open=(0.04, 0.04),
     gripper_actuator="actuator8",
     actuator_travel=(0.0, 0.04),

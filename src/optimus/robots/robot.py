@@ -46,6 +46,8 @@ class Robot:
     """The reset configuration [rad], the null-space reference and the seed of every IK."""
     torque_limits: tuple[float, ...]
     """[N m]"""
+    speed_limits: tuple[float, ...]
+    """[rad/s]"""
     finger_open: tuple[float, float]
     """Where the finger joints are when the hand is open [m]."""
     camera_pos: Vec3

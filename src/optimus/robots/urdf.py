@@ -51,6 +51,13 @@ def read_urdf(path: Path) -> mujoco.MjSpec:
     return spec
 
 
+def urdf_speeds(path: Path) -> dict[str, float]:
+    """The speed limits [rad/s] that a URDF gives, by joint; MuJoCo has no place for them."""
+    limits = ((joint.get("name", ""), joint.find("limit")) for joint in _parse(path).findall("joint"))
+    speeds = {name: float(limit.get("velocity", 0.0)) for name, limit in limits if limit is not None}
+    return {name: speed for name, speed in speeds.items() if speed > 0.0}
+
+
 def _parse(path: Path) -> ET.Element:
     try:
         text = path.read_text(encoding="utf-8")
