@@ -15,7 +15,7 @@ def find_model(reference: str, folder: Path) -> Path:
     distribution whose path ends with END. `RobotFileError` says what is missing."""
     if reference.startswith(PACKAGE):
         return _in_package(reference)
-    path = (folder / reference).expanduser()
+    path = folder / Path(reference).expanduser()
     if not path.is_file():
         raise RobotFileError(f"no model file {path}")
     return path.resolve()
