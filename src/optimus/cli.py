@@ -16,6 +16,7 @@ from tqdm import tqdm
 from optimus.errors import OptimusError, UnknownNameError
 
 TaskName = Annotated[str, tyro.conf.Positional, tyro.conf.arg(metavar="TASK", help="a task's name; `optimus tasks` lists them")]
+RobotName = Annotated[str | None, tyro.conf.arg(metavar="ROBOT", help="a robot's name or robot file; by default the task's own")]
 Folder = Annotated[Path, tyro.conf.Positional]
 
 
@@ -40,6 +41,13 @@ def _counter(bar: Any) -> Callable[[int, int], None]:
     return progress
 
 
+def _robot(name: str | None) -> Any:
+    """The robot that takes the place of the task's own; None for that one."""
+    from optimus.robots.catalogue import robot as robot_named
+
+    return None if name is None else robot_named(name)
+
+
 def tasks(json: bool = False) -> None:
     """List the tasks.
 
@@ -55,13 +63,20 @@ def tasks(json: bool = False) -> None:
 
 
 def show(
-    task: TaskName, plan: bool = False, check: bool = False, seed: int = 0, out: Path | None = None, json: bool = False
+    task: TaskName,
+    plan: bool = False,
+    check: bool = False,
+    seed: int = 0,
+    out: Path | None = None,
+    robot: RobotName = None,
+    json: bool = False,
 ) -> None:
     """Write a picture of a task's start, or with --plan of the expert's plan.
 
     Try:
         optimus show stack --seed 3
         optimus show stack --plan --check --seed 3 --out plan.png
+        optimus show stack --robot ur5e
 
     Args:
         plan: draw the plan, one skill after another, with its motions (blue: hand empty, orange: carrying)
@@ -78,10 +93,10 @@ def show(
         raise OptimusError("--check is for plans: add --plan")
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
     if plan:
-        found = show_plan(chosen, seed, out, ExpertConfig(check=check))
+        found = show_plan(chosen, seed, out, ExpertConfig(check=check), _robot(robot))
         text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))
     else:
-        text = show_scene(chosen, seed, out)
+        text = show_scene(chosen, seed, out, _robot(robot))
     _say({"picture": str(out), "shows": text}, json, f"{text}\n{out}")
 
 
@@ -96,6 +111,7 @@ def collect(
     check: bool = False,
     policy: Path | None = None,
     control: str = "osc",
+    robot: RobotName = None,
     json: bool = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
@@ -126,7 +142,7 @@ def collect(
 
     expert = ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None, check=check)
     turns = Turns(policy) if policy else None
-    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, control=control)
+    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, control=control, robot=_robot(robot))
     with _bar(episodes, f"collect {task}", "demo") as bar:
         result = run_collect(config, lambda done: _counter(bar)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
@@ -312,6 +328,7 @@ def bench(
     workers: int = 1,
     check: bool = False,
     control: str = "osc",
+    robot: RobotName = None,
     json: bool = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
@@ -326,13 +343,13 @@ def bench(
         check: with expert: validate every plan independently, and count the invalid ones as failures
         control: how actions move the arm: osc, ik or joint
     """
-    from optimus.bench import BENCHES
+    from optimus.bench import BENCHES, BenchConfig
 
     if check and what != "expert":
         raise OptimusError("--check is for plans: it goes with `bench expert` alone")
     with _bar(episodes, f"bench {what} {task}", "episode") as bar:
-        options = {"check": True} if check else {}
-        result = BENCHES[what](task, episodes, seed, workers, _counter(bar), control, **options)
+        config = BenchConfig(task, episodes, seed, workers, control, _robot(robot), check)
+        result = BENCHES[what](config, _counter(bar))
     _say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
 
 

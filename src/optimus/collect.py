@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass, field
 from functools import lru_cache, partial
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from optimus.control import CONTROLS, require_control
 from optimus.correct import Corrections, Turns, require_same_control
@@ -20,6 +21,7 @@ from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError
+from optimus.robots import Robot
 from optimus.rollout import Perturbation
 from optimus.tasks import task as task_named
 from optimus.workers import available_cores, executor
@@ -48,6 +50,8 @@ class CollectConfig:
     """Begin no further attempt after this time, even if that leaves fewer episodes than wanted."""
     control: str = OSC
     """How actions move the arm; a name of `optimus.control`."""
+    robot: Robot | None = None
+    """Takes the place of the task's own."""
 
 
 @dataclass(frozen=True)
@@ -72,13 +76,13 @@ class _Outcome:
 
 
 @lru_cache(maxsize=2)
-def _env(task: str, control: str) -> ManipulationEnv:
-    return ManipulationEnv(task_named(task), control=control)
+def _env(task: str, control: str, robot: Robot | None) -> ManipulationEnv:
+    return ManipulationEnv(task_named(task), control=control, robot=robot)
 
 
 def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     """One seed, in a worker: its episode or the reason of its failure is written before this returns."""
-    env, turns = _env(config.task, config.control), config.turns
+    env, turns = _env(config.task, config.control, config.robot), config.turns
     env.cpu.clear()
     attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))
     began = time.process_time()
@@ -101,9 +105,13 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     task, control = task_named(config.task), require_control(config.control)
     if config.turns is not None:
         require_same_control(config.turns, control)
-    cameras = compile_scene(task.problem(config.seed).scene).image_cameras
+    scene = task.problem(config.seed, config.robot).scene
+    cameras = compile_scene(scene).image_cameras
     _require_writable(config.out)
-    about = {"seed": config.seed, "control": control, **CONTROLS[control].scales, "expert": asdict(config.expert)}
+    expert = asdict(config.expert)
+    about: dict[str, Any] = {"seed": config.seed, "control": control, **CONTROLS[control].scales, "expert": expert}
+    if scene.robot != task.problem(config.seed).scene.robot:
+        about["robot"] = scene.robot.name
     if config.turns is not None:
         about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
     return EpisodeStore.create(config.out, task.name, cameras, about)

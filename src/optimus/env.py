@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from optimus.control import CONTROL_HZ, controller, require_control
 from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
 from optimus.render import Rig
+from optimus.robots import Robot
 from optimus.scene import Camera
 from optimus.se3 import Array
 from optimus.spec import PHYSICS_DT
@@ -41,13 +42,19 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
 
     def __init__(
-        self, task: Task, images: bool = True, render_mode: str | None = None, control: str = OSC
+        self,
+        task: Task,
+        images: bool = True,
+        render_mode: str | None = None,
+        control: str = OSC,
+        robot: Robot | None = None,
     ) -> None:
-        self.task, self.images, self.render_mode = task, images, render_mode
+        """`robot` takes the place of the task's own."""
+        self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
-        self._start(task.problem(0), 0)
+        self._start(task.problem(0, robot), 0)
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (self.action_size,), np.float32)
         self.observation_space = gymnasium.spaces.Dict(self._spaces())  # pyright: ignore[reportAttributeAccessIssue]
 
@@ -82,7 +89,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         `snapshot()` gives it, to start from instead of the problem's own."""
         super().reset(seed=seed)
         drawn = int(self.np_random.integers(2**31)) if seed is None else seed
-        self._start(self.task.problem(drawn), drawn)
+        self._start(self.task.problem(drawn, self._robot), drawn)
         opening = 2 * self.world.scene.robot.finger_travel
         state = State(self.world.home, opening, self.problem.poses, tcp=self.world.tcp(self.data))
         self.world.write(self.data, state)
@@ -143,7 +150,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def _proprioception(self) -> dict[str, NDArray[np.float32]]:
         tcp = self.world.tcp(self.data)
         quat = tcp.quat if tcp.quat[1] >= 0 else -tcp.quat
-        fingers = self.data.qpos[self.world.finger_qpos]
+        fingers = self.world.finger_gaps(self.data)
         told = self.controller.proprioception(self.data)
         return {
             "robot0_eef_pos": tcp.pos.astype(np.float32),

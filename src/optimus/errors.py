@@ -37,3 +37,7 @@ class StorageError(OptimusError):
 
 class ModelError(OptimusError):
     """A scene that does not compile, or a task whose start cannot be sampled."""
+
+
+class RobotFileError(OptimusError):
+    """A robot file, or the model it names, that is missing, does not fit together or cannot be read."""

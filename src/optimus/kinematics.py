@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from typing import Protocol
 
 import frankik
 import mujoco
@@ -15,6 +16,15 @@ POSITION_TOLERANCE = 2e-4
 """[m]"""
 ROTATION_TOLERANCE = 2e-3
 """[rad]"""
+DIFFERENT = 0.05
+"""Configurations further apart than this in some joint are different ways [rad]."""
+
+STARTS, DESCENT = 60, 40
+"""The numeric search descends from this many configurations at most, by this many steps each."""
+PATIENCE = 12
+"""... and ends early when this many in a row have led to nothing new after something was found."""
+KNOWN = 8
+"""... having begun with this many of its latest finds."""
 
 
 class Kinematics:
@@ -27,7 +37,7 @@ class Kinematics:
         self._data = mujoco.MjData(world.model)
         self._jacp = np.zeros((3, world.model.nv))
         self._jacr = np.zeros((3, world.model.nv))
-        self._analytic = world.scene.robot.name == "panda"
+        self._ways: Ways = PandaWays(self) if world.scene.robot.ik == "panda" else NumericWays(self)
 
     def fk(self, q: Array) -> Pose:
         """`base_from_tcp` at `q` `(dof,)` [rad]."""
@@ -83,28 +93,92 @@ class Kinematics:
         local = self.refine(near, target)
         if local is not None:
             yield local
-        for q in self._seeds(target, near):
+        starts = self._ways.starts(target, near)
+        for q in sorted(starts, key=lambda q: float(np.abs(q - near).sum() + 0.3 * np.abs(q - self.home).sum())):
             solution = self.refine(q, target, iterations=6)
-            if solution is not None and (local is None or np.abs(solution - local).max() > 0.05):
+            if solution is not None and (local is None or np.abs(solution - local).max() > DIFFERENT):
                 yield solution
 
-    def _seeds(self, target: Pose, near: Array) -> Sequence[Array]:
-        """Starting points for `refine`: closed form over a sweep of the redundant joint, else a fixed spread about home."""
-        if self._analytic:
-            seeds = self._panda_seeds(target)
-        else:
-            rng = np.random.default_rng(0)
-            seeds = [np.clip(self.home + rng.normal(0, 0.6, self.home.shape), self.low, self.high) for _ in range(16)]
-        return sorted(seeds, key=lambda q: float(np.abs(q - near).sum() + 0.3 * np.abs(q - self.home).sum()))
 
-    def _panda_seeds(self, target: Pose) -> list[Array]:
+class Ways(Protocol):
+    """Inverse kinematics of one kind of arm."""
+
+    def starts(self, target: Pose, near: Array) -> list[Array]:
+        """Configurations `(dof,)` that reach `target` or nearly so, one a way of doing it, in no order."""
+        ...
+
+
+class PandaWays:
+    """In closed form over a sweep of the redundant joint."""
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        self._kinematics = kinematics
+
+    def starts(self, target: Pose, near: Array) -> list[Array]:
+        k = self._kinematics
         # frankik's `ik` takes the flange: the hand's origin, turned by +45 degrees about z
-        tcp_from_hand = Pose.of(-np.array(self.world.scene.robot.tcp))
+        tcp_from_hand = Pose.of(-np.array(k.world.scene.robot.tcp))
         flange = target @ tcp_from_hand @ Pose.of(rotvec=(0.0, 0.0, np.pi / 4))
         matrix = np.eye(4)
         matrix[:3, :3], matrix[:3, 3] = flange.matrix, flange.pos
         found = []
-        for q7 in np.linspace(self.low[6], self.high[6], 24):
-            rows = frankik.ik_full(matrix, self.home, float(q7), False)  # pyright: ignore[reportArgumentType]
-            found += [row for row in rows if np.isfinite(row).all() and self.within_limits(row)]
+        for q7 in np.linspace(k.low[6], k.high[6], 24):
+            rows = frankik.ik_full(matrix, k.home, float(q7), False)  # pyright: ignore[reportArgumentType]
+            found += [row for row in rows if np.isfinite(row).all() and k.within_limits(row)]
         return found
+
+
+def evenly_spread(count: int, dimensions: int) -> Array:
+    """Points `(count, dimensions)` that fill the unit cube without gaps, the same ones every time: the additive recurrence whose
+    steps are the powers of the generalised golden ratio (Roberts, 2018)."""
+    ratio = 1.0
+    for _ in range(60):  # the root of x^(d + 1) = x + 1
+        ratio = (1.0 + ratio) ** (1.0 / (dimensions + 1))
+    steps = ratio ** -np.arange(1.0, dimensions + 1)
+    return (0.5 + np.outer(np.arange(1, count + 1), steps)) % 1.0
+
+
+class NumericWays:
+    """Descent from configurations that led somewhere before, from the other postures of what it finds, and from a fixed spread."""
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        self._kinematics = kinematics
+        self._known: list[Array] = []
+        # continuous joints turn further than any posture needs
+        low = np.maximum(kinematics.low, kinematics.home - np.pi)
+        high = np.minimum(kinematics.high, kinematics.home + np.pi)
+        self._spread = low + evenly_spread(STARTS, len(low)) * (high - low)
+
+    def starts(self, target: Pose, near: Array) -> list[Array]:
+        found: list[Array] = []
+        fruitless = 0
+        for start in [near, self._kinematics.home, *self._known, *self._spread]:
+            new = self._add(found, start, target)
+            if new:
+                self._add(found, self._turned_over(found[-1]), target)
+            fruitless = 0 if new else fruitless + 1
+            if found and fruitless >= PATIENCE:
+                break
+        self._known = (found + self._known)[:KNOWN]
+        return found
+
+    def _add(self, found: list[Array], start: Array, target: Pose) -> bool:
+        solution = self._kinematics.refine(start, target, iterations=DESCENT)
+        if solution is None:
+            return False
+        solution = self._unwound(solution)
+        if any(np.abs(solution - other).max() < DIFFERENT for other in found):
+            return False
+        found.append(solution)
+        return True
+
+    def _unwound(self, q: Array) -> Array:
+        """The same posture with every joint within half a turn of home, where the limits allow."""
+        k = self._kinematics
+        wound = q - 2 * np.pi * np.round((q - k.home) / (2 * np.pi))
+        return wound if k.within_limits(wound) else q
+
+    def _turned_over(self, q: Array) -> Array:
+        """About where the same pose is reached with a spherical wrist turned over; the descent does the rest."""
+        half = np.where(q[[-3, -1]] < self._kinematics.home[[-3, -1]], np.pi, -np.pi)
+        return np.array([*q[:-3], q[-3] + half[0], -q[-2], q[-1] + half[1]])

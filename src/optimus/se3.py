@@ -122,3 +122,12 @@ def interpolate(start: Pose, end: Pose, fraction: float) -> Pose:
     error = error_between(end, start)
     turn = quat_from_rotvec(fraction * error[3:])
     return Pose(start.pos + fraction * error[:3], quat_mul(turn, start.quat))
+
+
+def look_at(pos: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)) -> Array:
+    """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre."""
+    z = np.asarray(pos, float) - np.asarray(target, float)
+    z /= np.linalg.norm(z)
+    x = np.cross(np.asarray(up, float), z)
+    x /= np.linalg.norm(x)
+    return quat_from_matrix(np.column_stack([x, np.cross(z, x), z]))

@@ -23,6 +23,7 @@ from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.objects.shapes import Rgba
 from optimus.planner import solve
 from optimus.render import Rig
+from optimus.robots import Robot
 from optimus.scene import Camera
 from optimus.se3 import Array
 from optimus.skills import Workspace
@@ -83,9 +84,9 @@ def observation_strip(observation: Observation, size: int) -> Picture:
     return grid(enlarged, len(enlarged))
 
 
-def show_scene(task: Task, seed: int, out: Path) -> str:
+def show_scene(task: Task, seed: int, out: Path, robot: Robot | None = None) -> str:
     """Write a picture of the start of `seed`; returns what it shows, in words."""
-    env = ManipulationEnv(task)
+    env = ManipulationEnv(task, robot=robot)
     observation, info = env.reset(seed=seed)
     names = [k.removesuffix(IMAGE_SUFFIX) for k in observation if k.endswith(IMAGE_SUFFIX)]
     views = [observation[n + IMAGE_SUFFIX] for n in names]
@@ -97,13 +98,13 @@ def show_scene(task: Task, seed: int, out: Path) -> str:
     return f"{task.summary}; goal: {', '.join(sorted(map(str, env.problem.goal)))}"
 
 
-def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = None) -> Plan:
+def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = None, robot: Robot | None = None) -> Plan:
     """Write a plan of `seed` as a strip: the start, then each skill with the path of its motion; returns the plan.
 
     With `config.check`, `ModelError` says what is wrong with an invalid plan, and nothing is drawn.
     """
     config = config or ExpertConfig()
-    env = ManipulationEnv(task, images=False)
+    env = ManipulationEnv(task, images=False, robot=robot)
     env.reset(seed=seed)
     goal = env.problem.goal
     plan = solve(Workspace(env.world, config.style), env.state(), goal, np.random.default_rng([seed, 1]), config.budget)

@@ -1,31 +1,20 @@
-"""From a `Scene` to MuJoCo's own description of it: bodies, contacts, cameras, light, and the robot made fit for torque control."""
+"""From a `Scene` to MuJoCo's own description of it: bodies, contacts, cameras, light and the robot."""
 
 from __future__ import annotations
 
 import mujoco
 import numpy as np
 
-from optimus.objects.shapes import Shape, Vec3
-from optimus.robots import Robot, model_path
+from optimus.objects.shapes import Shape
+from optimus.robots.model import robot_spec, root_body
 from optimus.scene import Door, Scene
-from optimus.se3 import Array, quat_from_matrix
+from optimus.se3 import look_at
 
 PHYSICS_DT = 0.005
 """[s]; stable under implicitfast with torque control (docs/performance.md)."""
 
 HAND_PREFIX = "robot/"
 BAR_SUFFIX = "/bar"
-HIDDEN_GROUP = 4
-"""Renderers leave this group of sites out: a marker at the tcp would tell the policy what no real camera shows."""
-
-
-def look_at(pos: Vec3, target: Vec3, up: Vec3 = (0.0, 0.0, 1.0)) -> Array:
-    """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre."""
-    z = np.asarray(pos, float) - np.asarray(target, float)
-    z /= np.linalg.norm(z)
-    x = np.cross(up, z)
-    x /= np.linalg.norm(x)
-    return quat_from_matrix(np.column_stack([x, np.cross(z, x), z]))
 
 
 def _add_shape(body: mujoco.MjsBody, shape: Shape) -> None:
@@ -66,48 +55,6 @@ def _add_door(root: mujoco.MjsBody, door: Door) -> None:
         condim=4,
         friction=[1.0, 0.02, 0.0005],
     )
-
-
-def _robot_spec(robot: Robot) -> mujoco.MjSpec:
-    """The robot's model with torque motors, a strong gripper, grippy pads, a tcp site and a wrist camera."""
-    spec = mujoco.MjSpec.from_file(str(model_path(robot)))
-    for key in list(spec.keys):
-        spec.delete(key)
-    for light in list(spec.lights):
-        spec.delete(light)
-    arm = set(robot.joints)
-    for actuator in spec.actuators:
-        if actuator.target in arm:
-            limit = robot.torque_limits[robot.joints.index(actuator.target)]
-            actuator.set_to_motor()
-            actuator.forcerange = actuator.ctrlrange = [-limit, limit]
-        elif actuator.name == robot.gripper_actuator:
-            # as shipped the fingers press with 1 N; ctrl stays 0..255 over the finger travel
-            kp, kv = 2000.0, 300.0
-            actuator.gainprm[:3] = [kp * robot.finger_travel / 255.0, 0.0, 0.0]
-            actuator.biasprm[:3] = [0.0, -kp, -kv]
-            actuator.forcerange = [-60.0, 60.0]
-    for name in robot.finger_bodies:
-        for geom in [g for g in spec.body(name).geoms if g.type == mujoco.mjtGeom.mjGEOM_BOX]:
-            spec.delete(geom)
-        box = mujoco.mjtGeom.mjGEOM_BOX
-        spec.body(name).add_geom(type=box, pos=robot.pad_pos, size=robot.pad_half, mass=0.0, group=3)
-        for geom in spec.body(name).geoms:
-            geom.friction = [1.5, 0.02, 0.0005]
-            geom.condim = 4
-            geom.priority = 1
-            geom.solref = [0.01, 1.0]
-            geom.solimp = [0.95, 0.99, 0.001, 0.5, 2.0]
-    hand = spec.body(robot.hand)
-    hand.add_site(name="tcp", pos=robot.tcp, group=HIDDEN_GROUP)
-    up = (1.0, 0.0, 0.0)
-    hand.add_camera(
-        name="eye_in_hand",
-        pos=robot.camera_pos,
-        quat=look_at(robot.camera_pos, robot.camera_target, up),
-        fovy=robot.camera_fovy,
-    )
-    return spec
 
 
 def world_spec(scene: Scene) -> mujoco.MjSpec:
@@ -158,6 +105,6 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
     for camera in scene.cameras:
         quat = look_at(camera.pos, camera.target)
         root.add_camera(name=camera.name, pos=camera.pos, quat=quat, fovy=camera.fovy)
-    frame = root.add_frame()
-    frame.attach_body(_robot_spec(scene.robot).worldbody.first_body(), HAND_PREFIX, "")
+    frame = root.add_frame(pos=scene.robot.base_pos, quat=scene.robot.base_quat)
+    frame.attach_body(root_body(robot_spec(scene.robot), scene.robot.hand), HAND_PREFIX, "")
     return spec

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from optimus.errors import ModelError
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
 from optimus.predicates import Released, holds
+from optimus.robots import Robot
 from optimus.scene import Scene
 from optimus.se3 import Pose
 from optimus.state import State
@@ -45,9 +46,10 @@ class Task:
     close_up: tuple[float, float, float] = field(default=(0.55, 0.0, 0.05))
     """What pictures for people are centred on [m]."""
 
-    def problem(self, seed: int) -> Problem:
-        """The problem of that seed: the same one every time, on every machine."""
-        return self.draw(np.random.default_rng([seed, 0x0971]))
+    def problem(self, seed: int, robot: Robot | None = None) -> Problem:
+        """The problem of that seed: the same one every time, on every machine. `robot` takes the place of the task's own."""
+        problem = self.draw(np.random.default_rng([seed, 0x0971]))
+        return problem if robot is None else replace(problem, scene=replace(problem.scene, robot=robot))
 
 
 def footprint(shape: Shape) -> float:

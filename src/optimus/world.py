@@ -9,7 +9,7 @@ import numpy as np
 
 from optimus.errors import ModelError
 from optimus.scene import Scene
-from optimus.se3 import Pose
+from optimus.se3 import Array, Pose
 from optimus.spec import BAR_SUFFIX, HAND_PREFIX, world_spec
 from optimus.state import Held, State
 
@@ -31,7 +31,9 @@ class World:
         self.arm_range = np.array([j.range for j in joints])
         self.arm_ctrl = np.array([self._actuator_of(int(j.id)) for j in joints])
         self.finger_qpos = np.array([int(j.qposadr[0]) for j in fingers])
-        self.gripper_ctrl = int(m.actuator(HAND_PREFIX + robot.gripper_actuator).id)
+        self.finger_shut, self.finger_signs = np.array(robot.finger_shut), np.array(robot.finger_signs)
+        actuators = robot.fingers if robot.gripper_actuator is None else (robot.gripper_actuator,)
+        self.gripper_ctrl = np.array([int(m.actuator(HAND_PREFIX + name).id) for name in actuators])
         self.tcp_site = int(m.site(HAND_PREFIX + "tcp").id)
         self.hand_body = int(m.body(HAND_PREFIX + robot.hand).id)
         self.finger_bodies = tuple(int(m.body(HAND_PREFIX + n).id) for n in robot.finger_bodies)
@@ -72,7 +74,7 @@ class World:
     def write_qpos(self, data: mujoco.MjData, state: State) -> None:
         """The positions alone: no kinematics, no reset."""
         data.qpos[self.arm_qpos] = state.q
-        data.qpos[self.finger_qpos] = state.opening / 2
+        data.qpos[self.finger_qpos] = self.finger_shut + self.finger_signs * (state.opening / 2)
         for name, pose in state.poses.items():
             at = self.movable_qpos[name]
             data.qpos[at : at + 3] = pose.pos
@@ -83,6 +85,10 @@ class World:
     def tcp(self, data: mujoco.MjData) -> Pose:
         """`base_from_tcp` as of the last kinematics."""
         return Pose.from_matrix(data.site_xpos[self.tcp_site].copy(), data.site_xmat[self.tcp_site].reshape(3, 3))
+
+    def finger_gaps(self, data: mujoco.MjData) -> Array:
+        """How far each finger is from where they meet, `(2,)` [m]."""
+        return self.finger_signs * (data.qpos[self.finger_qpos] - self.finger_shut)
 
     def object_pose(self, data: mujoco.MjData, name: str) -> Pose:
         at = self.movable_qpos[name]
@@ -97,7 +103,7 @@ class World:
         speeds = {n: float(np.linalg.norm(data.qvel[d : d + 3])) for n, d in self.movable_dof.items()}
         return State(
             q=data.qpos[self.arm_qpos].copy(),
-            opening=float(data.qpos[self.finger_qpos].sum()),
+            opening=float(self.finger_gaps(data).sum()),
             poses=poses,
             held=Held(held[0], tcp.inverse @ poses[held[0]]) if held else None,
             touched=frozenset(touched),
