@@ -9,7 +9,7 @@ import frankik
 import mujoco
 import numpy as np
 
-from optimus.se3 import Array, Pose, error_between, quat_from_rotvec, quat_mul
+from optimus.se3 import Array, Pose, error_between
 from optimus.world import World
 
 POSITION_TOLERANCE = 2e-4
@@ -69,23 +69,9 @@ class Kinematics:
             q = q + np.clip(step, -0.3, 0.3)
         return None
 
-    def turn_about(self, q: Array, target: Pose, iterations: int = 12) -> Array | None:
-        """Like `refine`, but free to turn about the vertical through the tcp: it follows a point with a fixed tilt."""
-        q = q.copy()
-        for _ in range(iterations):
-            here = self.fk(q)
-            error = error_between(target, here)
-            # the yaw's part of the error is no error
-            heading = Pose(target.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -error[5])), target.quat))
-            error[3:] = error_between(heading, here)[3:]
-            if np.linalg.norm(error[:3]) < POSITION_TOLERANCE and np.linalg.norm(error[3:5]) < ROTATION_TOLERANCE:
-                return q if self.within_limits(q) else None
-            jac = self.jacobian()[:5]
-            gain = jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(5))
-            relax = self.home - q
-            step = gain @ error[:5] + 0.02 * (relax - gain @ (jac @ relax))
-            q = q + np.clip(step, -0.3, 0.3)
-        return None
+    def ways(self, target: Pose, near: Array) -> list[Array]:
+        """Configurations that reach `target` or nearly so, one a way of doing it, in no order; `refine` makes them exact."""
+        return self._ways.starts(target, near)
 
     def solutions(self, target: Pose, near: Array) -> Iterator[Array]:
         """Every known way to reach `target` (`base_from_tcp`): first the one that follows from `near`, then by distance to it
@@ -93,8 +79,7 @@ class Kinematics:
         local = self.refine(near, target)
         if local is not None:
             yield local
-        starts = self._ways.starts(target, near)
-        for q in sorted(starts, key=lambda q: float(np.abs(q - near).sum() + 0.3 * np.abs(q - self.home).sum())):
+        for q in sorted(self.ways(target, near), key=lambda q: float(np.abs(q - near).sum() + 0.3 * np.abs(q - self.home).sum())):
             solution = self.refine(q, target, iterations=6)
             if solution is not None and (local is None or np.abs(solution - local).max() > DIFFERENT):
                 yield solution

@@ -5,32 +5,37 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
 
-from optimus.collision import Blocked
-from optimus.logic import Facts, Operator
+from optimus.logic import Facts, Operator, Predicate
+from optimus.motion.chain import Edge, smoothest_chain
 from optimus.motion.lines import MAX_JOINT_STEP, UNREACHABLE
 from optimus.motion.plan import Segment
 from optimus.predicates import HandEmpty, Open, Shut
 from optimus.scene import Door, Scene
-from optimus.se3 import Pose, quat_from_matrix, quat_from_rotvec, quat_mul
+from optimus.se3 import Array, Pose, quat_from_matrix, quat_from_rotvec, quat_mul
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import State
 
-SWING_STEP = 0.05
-"""Between the waypoints of a swing [rad]."""
+KNOT, SWING_STEP = 0.21, 0.05
+"""Between the angles at which the arm's configuration is chosen, and between the waypoints of a swing [rad]."""
+LONGEST_STEP = 0.8
+"""No joint turns further from one chosen configuration to the next [rad]."""
 OPEN_TO, SHUT_AT = 1.65, 0.0
 """Where a door is left [rad]."""
-MOST_TURN = np.radians(75.0)
-"""The hand stays within this of the door's normal: further round, the fingers would slip off the bar [rad]."""
 PULL_SPEED = 0.20
 """[m/s]; a swing of 1.65 rad at 0.45 m takes some four seconds."""
 STANDOFF = 0.12
 """The hand approaches and leaves a bar along this stretch [m]."""
-YAWS = tuple(np.radians((0.0, -20.0, 20.0, -45.0, 45.0, -65.0, 65.0)))
-PITCHES = tuple(np.radians((0.0, 25.0)))
+YAWS = tuple(np.radians((-60.0, -40.0, -20.0, 0.0, 20.0, 40.0, 60.0)))
+"""Of the hand against the door's normal [rad]: further round, the fingers would slip off the bar."""
+ATTITUDES = tuple((pitch, roll) for pitch in np.radians((0.0, 25.0)) for roll in (np.pi, 0.0))
+"""Pitch of the hand and which way up it is [rad]; both stay as they are during a swing."""
+REPAIRS = 12
+"""Chains tried where the motion between two chosen configurations turns out to be blocked."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +56,15 @@ class _Grip:
         return Pose(frame.transform(np.array(door.bar.pos)), quat_mul(frame.quat, quat_mul(turn, about)))
 
 
+@dataclass(frozen=True, eq=False)
+class _Choices:
+    """The free configurations `(n, dof)` [rad] at one angle of the door, and the hand's yaw in each [rad]."""
+
+    angle: float
+    q: Array
+    yaws: list[float]
+
+
 class _Swing:
     """What Open and Close share."""
 
@@ -61,56 +75,91 @@ class _Swing:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         door = workspace.scene.door(args[0])
-        for grip in self._grips(workspace, door, state.doors[door.name]):
-            start = grip.pose(door, state.doors[door.name])
-            back = start.shifted(-STANDOFF * start.matrix[:, 2])
-            reach = workspace.travel("reach", state, [back, start], False, rng, straight=1)
-            if reach is None:
-                continue
-            taken = replace(state, q=reach.q[-1], tcp=start, opening=2 * door.bar.radius)
-            swing = self._swing(workspace, taken, door)
-            if isinstance(swing, Blocked):
-                workspace.failures.append(("swing", swing))
-                continue
-            end, angle = swing.end, float(swing.doors[door.name][-1])
-            left = replace(taken, q=swing.q[-1], tcp=end, opening=workspace.open_width).swung(door.name, angle)
-            away = end.shifted(-STANDOFF * end.matrix[:, 2])
-            retreat = workspace.travel("retreat", left, [away], False, rng)
-            if retreat is None:
-                continue
-            after = replace(left, q=retreat.q[-1], tcp=away)
-            close, let_go = gripper_action("close", reach.q[-1], start, True), gripper_action("open", swing.q[-1], end, False)
-            yield (reach, close, swing, let_go, retreat), after
-
-    def _grips(self, workspace: Workspace, door: Door, angle: float) -> list[_Grip]:
-        grips = [_Grip(yaw, pitch, roll) for pitch in PITCHES for yaw in YAWS for roll in (0.0, np.pi)]
-        return sorted(grips, key=lambda g: round(workspace.turn_from_home(g.pose(door, angle)), 6))
-
-    def _swing(self, workspace: Workspace, state: State, door: Door) -> Segment | Blocked:
-        """The arm's path with the door in its hand, from where it is to the target."""
         begin = state.doors[door.name]
-        steps = max(2, int(np.ceil(abs(self.target - begin) / SWING_STEP)))
-        angles = np.linspace(begin, self.target, steps + 1)
-        bar_in_door, path, poses = np.array(door.bar.pos), [state.q], [state.tcp]
-        for angle in angles[1:]:
-            point = door.pose(float(angle)).transform(bar_in_door)
-            q = workspace.kinematics.turn_about(path[-1], Pose(point, poses[-1].quat))
-            if q is None or np.abs(q - path[-1]).max() > MAX_JOINT_STEP:
-                return UNREACHABLE
-            pose = workspace.kinematics.fk(q)
-            normal = door.pose(float(angle)).matrix[:, 0]
-            heading = pose.matrix[:2, 2] / np.linalg.norm(pose.matrix[:2, 2])
-            if heading @ normal[:2] < np.cos(MOST_TURN):
-                return UNREACHABLE
-            workspace.checker.look_at(state.swung(door.name, float(angle)), pulled=door.name)
+        angles = np.linspace(begin, self.target, max(2, int(np.ceil(abs(self.target - begin) / KNOT)) + 1))
+        grasping = replace(state, opening=2 * door.bar.radius)
+        for pitch, roll in ATTITUDES:
+            layers = [_choices(workspace, grasping, door, float(angle), pitch, roll) for angle in angles]
+            forbidden: set[Edge] = set()
+            far = [float(np.square(q - state.q).sum()) for q in layers[0].q]
+            for _ in range(REPAIRS):
+                chain = smoothest_chain([layer.q for layer in layers], LONGEST_STEP, forbidden, np.array(far))
+                if chain is None:
+                    break
+                swing = _swing(workspace, grasping, door, layers, chain, (pitch, roll))
+                if isinstance(swing, int):
+                    forbidden.add((swing, chain[swing], chain[swing + 1]))
+                    continue
+                found = _whole(workspace, state, door, swing, rng)
+                if found is not None:
+                    yield found
+                far[chain[0]] = np.inf  # another way to begin
+
+    def operators_for(self, scene: Scene, makes: Predicate, undoes: Predicate) -> Iterator[Operator]:
+        for door in (d.name for d in scene.doors):
+            yield Operator(
+                skill=self.name,
+                args=(door,),
+                needs=frozenset({HandEmpty()}),
+                adds=frozenset({makes(door), HandEmpty()}),
+                deletes=frozenset({undoes(door)}),
+            )
+
+
+def _choices(workspace: Workspace, state: State, door: Door, angle: float, pitch: float, roll: float) -> _Choices:
+    """Every free way for the arm to hold the bar of the door at `angle`, over the hand's yaws."""
+    workspace.checker.look_at(state.swung(door.name, angle), pulled=door.name)
+    found, yaws = [], []
+    for yaw in YAWS:
+        for q in workspace.kinematics.ways(_Grip(yaw, pitch, roll).pose(door, angle), state.q):
             blocked = workspace.checker.check(q)
-            if blocked is not None:
-                return blocked
+            if blocked is None:
+                found.append(q)
+                yaws.append(yaw)
+            else:
+                workspace.failures.append(("swing", blocked))
+    if not found:
+        workspace.failures.append(("swing", UNREACHABLE))
+    return _Choices(angle, np.array(found).reshape(-1, len(state.q)), yaws)
+
+
+def _swing(
+    workspace: Workspace, state: State, door: Door, layers: list[_Choices], chain: list[int], attitude: tuple[float, float]
+) -> Segment | int:
+    """The motion through the chosen configurations; or the number of the stretch that is blocked."""
+    path, poses, angles = [], [], []
+    for k, (here, there) in enumerate(pairwise(zip(layers, chain, strict=True))):
+        ends = [(layer.angle, layer.yaws[i], layer.q[i]) for layer, i in (here, there)]
+        steps = max(1, int(np.ceil(abs(ends[1][0] - ends[0][0]) / SWING_STEP)))
+        for share in np.linspace(0.0, 1.0, steps + 1)[1 if path else 0 :]:
+            angle, yaw, guess = ((1 - share) * a + share * b for a, b in zip(*ends, strict=True))
+            pose = _Grip(float(yaw), *attitude).pose(door, float(angle))
+            q = workspace.kinematics.refine(guess, pose)
+            if q is None or (path and np.abs(q - path[-1]).max() > MAX_JOINT_STEP):
+                return k
+            workspace.checker.look_at(state.swung(door.name, float(angle)), pulled=door.name)
+            if workspace.checker.check(q) is not None:
+                return k
             path.append(q)
-            poses.append(Pose(point, pose.quat))
-        return Segment(
-            "swing", np.array(path), tuple(poses), True, speed=PULL_SPEED, steady=True, doors={door.name: angles}
-        )
+            poses.append(pose)
+            angles.append(float(angle))
+    doors = {door.name: np.array(angles)}
+    return Segment("swing", np.array(path), tuple(poses), True, speed=PULL_SPEED, steady=True, doors=doors)
+
+
+def _whole(workspace: Workspace, state: State, door: Door, swing: Segment, rng: np.random.Generator) -> Refinement | None:
+    """A swing with its approach and its retreat; None, and entries in `failures`, if one of them is blocked."""
+    start, end, angle = swing.poses[0], swing.end, float(swing.doors[door.name][-1])
+    reach = workspace.travel_to("reach", state, swing.q[0], start.shifted(-STANDOFF * start.matrix[:, 2]), rng)
+    if reach is None:
+        return None
+    left = replace(state, q=swing.q[-1], tcp=end, opening=workspace.open_width).swung(door.name, angle)
+    away = end.shifted(-STANDOFF * end.matrix[:, 2])
+    retreat = workspace.travel("retreat", left, [away], False, rng)
+    if retreat is None:
+        return None
+    close, let_go = gripper_action("close", swing.q[0], start, True), gripper_action("open", swing.q[-1], end, False)
+    return (reach, close, swing, let_go, retreat), replace(left, q=retreat.q[-1], tcp=away)
 
 
 class OpenDoor(_Swing):
@@ -120,14 +169,7 @@ class OpenDoor(_Swing):
     target: ClassVar[float] = OPEN_TO
 
     def operators(self, scene: Scene, facts: Facts) -> Iterator[Operator]:
-        for door in (d.name for d in scene.doors):
-            yield Operator(
-                skill=self.name,
-                args=(door,),
-                needs=frozenset({HandEmpty()}),
-                adds=frozenset({Open(door), HandEmpty()}),
-                deletes=frozenset({Shut(door)}),
-            )
+        return self.operators_for(scene, Open, Shut)
 
 
 class CloseDoor(_Swing):
@@ -137,12 +179,4 @@ class CloseDoor(_Swing):
     target: ClassVar[float] = SHUT_AT
 
     def operators(self, scene: Scene, facts: Facts) -> Iterator[Operator]:
-        for door in (d.name for d in scene.doors):
-            yield Operator(
-                skill=self.name,
-                args=(door,),
-                needs=frozenset({HandEmpty()}),
-                adds=frozenset({Shut(door), HandEmpty()}),
-                deletes=frozenset({Open(door)}),
-            )
-
+        return self.operators_for(scene, Shut, Open)

@@ -17,8 +17,8 @@ from optimus.state import Held, State
 
 UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
 """Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
-LEANING = tuple(np.radians((-45.0, -30.0, -60.0, 0.0)))
-"""The same where there is a roof; 45 degrees serves most (docs/architecture.md)."""
+LEANING = tuple(np.radians((-75.0, -60.0, -45.0, -30.0, -90.0)))
+"""The same where there is a roof."""
 
 
 class Pick:

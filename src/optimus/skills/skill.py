@@ -120,6 +120,21 @@ class Workspace:
             return None
         return Segment(name, found[0], found[1], shut)
 
+    def travel_to(self, name: str, state: State, q: Array, before: Pose, rng: np.random.Generator) -> Segment | None:
+        """An empty-handed motion from `state` to the very configuration `q`: by joints to where the tcp is at `before`, then
+        along a straight line. None, and an entry in `failures`, when there is no way."""
+        self.checker.look_at(state)
+        line = lines.track(self.kinematics, self.checker, q, [before])
+        if isinstance(line, Blocked):
+            self.failures.append((name, line))
+            return None
+        path = sampling.connect(self.kinematics, self.checker, state.q, line[0][-1], rng)
+        if path is None:
+            self.failures.append((name, self.checker.check(line[0][-1]) or lines.UNREACHABLE))
+            return None
+        poses = tuple(self.kinematics.fk(p) for p in path)
+        return Segment(name, np.vstack([path, line[0][-2::-1]]), (*poses, *line[1][-2::-1]), False)
+
     def _detour(
         self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator
     ) -> tuple[Array, tuple[Pose, ...]] | None:
@@ -141,8 +156,9 @@ class Workspace:
             return
         hop = np.array([0.0, 0.0, self.style.hop])
         axis = goal.matrix[:, 2]
-        level = np.array([*axis[:2], 0.0]) / np.linalg.norm(axis[:2]) if np.linalg.norm(axis[:2]) > 0.2 else np.array([1.0, 0, 0])
-        for direction in (level, axis):
+        ahead, lean = np.array([1.0, 0.0, 0.0]), float(np.hypot(*axis[:2]))
+        level = np.array([*axis[:2], 0.0]) / lean if lean > 0.2 else ahead
+        for direction in (level, ahead, axis):
             far = self._way_out(goal.pos, -direction)
             if far is None:
                 continue

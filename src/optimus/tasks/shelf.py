@@ -20,7 +20,7 @@ WIDTHS, DEPTHS, HEIGHTS = (0.50, 0.75), (0.25, 0.40), (0.80, 1.00)
 """Of those in ShelfReceptacle [m]: the paper's intervals, the wider side across the arm's view, where it can be reached."""
 FOOT = -0.10
 """The arm stands this much above the shelf's foot [m]."""
-FRONT = 0.48
+FRONT = 0.60
 """The shelf's front edge [m]."""
 RUNGS = {"lower": 0.02, "middle": 0.35, "upper": 0.68}
 """Heights of the rungs' upper faces above the foot, as shares of the shelf's height."""
