@@ -16,6 +16,9 @@ ROBOT_DEPTH = 0.0005
 HELD_DEPTH = 0.003
 """Likewise for the thing in the hand, which rests on its support when it is taken and when it is let go [m]."""
 
+BOX_SLACK = 0.003
+"""The tcp may be this far outside the scene's box [m]."""
+
 
 @dataclass(frozen=True)
 class Blocked:
@@ -63,7 +66,13 @@ class CollisionChecker:
             data.qpos[at : at + 3], data.qpos[at + 3 : at + 7] = pose.pos, pose.quat
             mujoco.mj_kinematics(model, data)
         mujoco.mj_collision(model, data)
-        return self._worst()
+        return self._worst() or self._outside()
+
+    def _outside(self) -> Blocked | None:
+        """The controller keeps the hand within the scene's box: no path may leave it."""
+        tcp, scene = self._data.site_xpos[self.world.tcp_site], self.world.scene
+        inside = np.all(tcp >= np.subtract(scene.low, BOX_SLACK)) and np.all(tcp <= np.add(scene.high, BOX_SLACK))
+        return None if inside else Blocked("robot", "the workspace's edge")
 
     def _worst(self) -> Blocked | None:
         contact, n = self._data.contact, self._data.ncon

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from optimus.closed_loop import ClosedLoop
 from optimus.data.episode import Episode, Observation
 from optimus.env import ManipulationEnv
-from optimus.expert import PlanFollower, TimeLaw
+from optimus.expert import TimeLaw
 from optimus.motion.plan import Infeasible
 from optimus.planner import Budget, solve
 from optimus.rollout import Meddler, Perturbation, Pushes, rollout
@@ -62,7 +63,8 @@ def demonstrate(
     observation, info = env.reset(seed=seed)
     planning, pushing = (np.random.default_rng([seed, stream]) for stream in (1, 2))
     began = time.process_time()
-    plan = solve(Workspace(env.world, config.style), env.state(), env.problem.goal, planning, config.budget)
+    workspace = Workspace(env.world, config.style)
+    plan = solve(workspace, env.state(), env.problem.goal, planning, config.budget)
     seconds = time.process_time() - began
     if isinstance(plan, Infeasible):
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
@@ -70,21 +72,22 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    follower, perturbation = PlanFollower(plan, config.law, env.control), config.perturbation
+    expert, perturbation = ClosedLoop(env, workspace, plan, config.law, planning, config.budget), config.perturbation
     pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
 
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
-        return None if pushes is None else pushes.next(seen, label, follower.slack)
+        return None if pushes is None else pushes.next(seen, label, expert.slack)
 
-    episode = rollout(env, observation, follower, "expert", push)
-    errors = np.array(follower.errors or [0.0])
+    episode = rollout(env, observation, expert, "expert", push)
+    errors = np.array(expert.errors or [0.0])
     facts = {
         "perturbed": pushes is not None,
-        "retries": 0,
+        "retries": len(expert.retries),
+        "retried_because": expert.retries,
         "tracking_error": {"median": float(np.median(errors)), "max": float(errors.max())},
         "learned": plan.stats["learned"],
     }
     episode = replace(episode, skeleton=plan.skeleton, info={**episode.info, **facts})
-    return Attempt(seed, episode, episode.failure, seconds, episode.info, follower.errors)
+    return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)

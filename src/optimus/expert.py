@@ -123,6 +123,11 @@ class PlanFollower:
         return sum(self._index > end for end in self._ends)
 
     @property
+    def progress(self) -> float:
+        """How far it is along the present segment [m]."""
+        return self._s
+
+    @property
     def slack(self) -> float:
         """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, else all."""
         segment = self.segment

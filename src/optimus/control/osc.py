@@ -16,6 +16,10 @@ KP = 400.0
 NULL_KP = 10.0
 """Stiffness of the pull towards home in the null space [1/s^2]."""
 
+LIMIT_MARGIN, LIMIT_KP = 0.15, 400.0
+"""Nearer to a joint's limit than this [rad], the null space pushes it away with this stiffness [1/s^2]: a joint at its limit can no
+longer follow the tcp."""
+
 
 class OperationalSpace(PoseTarget):
     """Khatib's operational-space law with the full (coupled) task inertia and a null-space pull towards home.
@@ -46,7 +50,10 @@ class OperationalSpace(PoseTarget):
         mass_inv_jt = mass_inv @ jac.T
         task_mass = np.linalg.inv(jac @ mass_inv_jt + 1e-3 * np.eye(6))
         wrench = task_mass @ (KP * self.target_error(data) - 2.0 * np.sqrt(KP) * (jac @ qvel))
-        relax = mass @ (NULL_KP * (w.home - data.qpos[w.arm_qpos]) - 2.0 * np.sqrt(NULL_KP) * qvel)
+        q = data.qpos[w.arm_qpos]
+        low, high = w.arm_range[:, 0] + LIMIT_MARGIN, w.arm_range[:, 1] - LIMIT_MARGIN
+        off_limits = np.maximum(low - q, 0.0) - np.maximum(q - high, 0.0)
+        relax = mass @ (NULL_KP * (w.home - q) + LIMIT_KP * off_limits - 2.0 * np.sqrt(NULL_KP) * qvel)
         # what of it moves the tcp is taken out again (dynamically consistent projection)
         relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))
         torque = jac.T @ wrench + relax + data.qfrc_bias[w.arm_dof] + self._damping * qvel

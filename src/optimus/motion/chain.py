@@ -13,7 +13,7 @@ Edge = tuple[int, int, int]
 
 
 def smoothest_chain(layers: Sequence[Array], longest_step: float, forbidden: set[Edge], first_costs: Array) -> list[int] | None:
-    """Indices, one a layer, of the chain of least cost: the sum of its squared steps and the cost of its first choice; None without one.
+    """Indices, one a layer, of the chain of least cost: its squared steps and the cost of its first choice; None without one.
 
     `layers`: `(n_k, dof)` configurations [rad] each; no joint moves by more than `longest_step` [rad] from layer to layer, and
     `forbidden` edges are left out. Dynamic programming (Viterbi, 1967).

@@ -82,8 +82,8 @@ def scene_of(variant: str, size: Size, obstacle: bool) -> Scene:
         movables=movables,
         cameras=CAMERAS,
         doors=(door,),
-        low=(0.10, -0.65, 0.005),
-        high=(0.95, 0.65, 0.75),
+        low=(0.05, -0.70, 0.005),
+        high=(0.95, 0.70, 0.80),
     )
 
 

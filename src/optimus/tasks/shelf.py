@@ -52,8 +52,8 @@ def scene_of(variant: str, width: float, depth: float, height: float) -> Scene:
         fixtures=(GROUND, *rungs, sides),
         movables=(Movable("object", OBJECTS[variant]),),
         cameras=CAMERAS,
-        low=(0.15, -0.55, FOOT + 0.005),
-        high=(0.95, 0.55, 0.85),
+        low=(0.15, -0.60, FOOT + 0.005),
+        high=(1.00, 0.60, 0.85),
     )
 
 

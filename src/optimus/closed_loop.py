@@ -1,0 +1,76 @@
+"""`ClosedLoop`: the expert as an agent that watches what becomes of its plan, and plans again from what it sees."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.data.episode import Observation
+from optimus.env import ManipulationEnv
+from optimus.expert import PlanFollower, TimeLaw
+from optimus.motion.plan import Infeasible, Plan
+from optimus.planner import Budget, solve
+from optimus.rollout import LAST_LOOK
+from optimus.skills import Workspace
+
+MOST_RETRIES = 3
+EMPTY_FOR = 4
+"""An empty hand is believed after this many steps: fingers may lose touch for one."""
+STUCK_FOR = 40
+"""Steps without progress along a path, or at its end, after which it is given up."""
+LOOK_AFTER = LAST_LOOK - 2
+"""Steps after the plan's end in which what it let go may settle."""
+
+
+class ClosedLoop:
+    """Follows a plan; plans again, at most `MOST_RETRIES` times, when its hand turns out to be empty, when it gets no further, or
+    when the plan is through and the goal is not reached. Looks at the simulated world's state, as only an expert may."""
+
+    def __init__(
+        self, env: ManipulationEnv, workspace: Workspace, plan: Plan, law: TimeLaw, rng: np.random.Generator, budget: Budget
+    ) -> None:
+        self.retries: list[str] = []
+        """Why it planned again, each time."""
+        self.errors: list[float] = []
+        """Distance of the tcp from the planned path at each step of motion [m]."""
+        self._env, self._workspace, self._rng, self._budget, self._law = env, workspace, rng, budget, law
+        self._follow(plan)
+
+    def _follow(self, plan: Plan) -> None:
+        self._follower = PlanFollower(plan, self._law, self._env.control)
+        self._follower.errors = self.errors
+        self._empty = self._stuck = self._over = 0
+        self._mark: tuple[object, float] = (None, -1.0)
+
+    @property
+    def slack(self) -> float:
+        """See `PlanFollower.slack`."""
+        return self._follower.slack
+
+    def act(self, observation: Observation) -> NDArray[np.float32] | None:
+        """The action for this observation; None when there is nothing more to do."""
+        answer = self._follower.act(observation)
+        trouble = self._trouble(answer is None)
+        if not trouble or len(self.retries) >= MOST_RETRIES:
+            return answer
+        plan = solve(self._workspace, self._env.state(), self._env.problem.goal, self._rng, self._budget)
+        if isinstance(plan, Infeasible):
+            return answer
+        self.retries.append(trouble)
+        self._follow(plan)
+        return self._follower.act(observation)
+
+    def _trouble(self, over: bool) -> str:
+        """What went wrong, in a few words; empty if nothing did."""
+        if over:
+            self._over += 1
+            return "ended without success" if self._over == LOOK_AFTER else ""
+        segment = self._follower.segment
+        carrying = segment is not None and segment.shut and not segment.gripper_action and not segment.doors
+        self._empty = self._empty + 1 if carrying and self._env.state().held is None else 0
+        moved = (segment, round(self._follower.progress, 3))
+        self._stuck = self._stuck + 1 if moved == self._mark else 0
+        self._mark = moved
+        if self._empty >= EMPTY_FOR:
+            return "empty hand"
+        return "stuck" if self._stuck >= STUCK_FOR else ""
