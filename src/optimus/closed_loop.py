@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +16,8 @@ from optimus.rollout import LAST_LOOK
 from optimus.skills import Workspace
 
 MOST_RETRIES = 3
+RETRY_SECONDS = 3.0
+"""Planning again is given up after this [s of CPU]."""
 EMPTY_FOR = 4
 """An empty hand is believed after this many steps: fingers may lose touch for one."""
 STUCK_FOR = 40
@@ -33,7 +37,8 @@ class ClosedLoop:
         """Why it planned again, each time."""
         self.errors: list[float] = []
         """Distance of the tcp from the planned path at each step of motion [m]."""
-        self._env, self._workspace, self._rng, self._budget, self._law = env, workspace, rng, budget, law
+        self._env, self._workspace, self._rng, self._law = env, workspace, rng, law
+        self._budget = replace(budget, seconds=RETRY_SECONDS)
         self._follow(plan)
 
     def _follow(self, plan: Plan) -> None:
@@ -53,10 +58,11 @@ class ClosedLoop:
         trouble = self._trouble(answer is None)
         if not trouble or len(self.retries) >= MOST_RETRIES:
             return answer
+        self.retries.append(trouble)
         plan = solve(self._workspace, self._env.state(), self._env.problem.goal, self._rng, self._budget)
         if isinstance(plan, Infeasible):
+            self._empty = self._stuck = 0
             return answer
-        self.retries.append(trouble)
         self._follow(plan)
         return self._follower.act(observation)
 

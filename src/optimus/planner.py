@@ -15,7 +15,7 @@ from optimus.predicates import facts_of, holds
 from optimus.skills import SKILLS, Workspace
 from optimus.skills.pick import Pick
 from optimus.skills.place import Place
-from optimus.skills.skill import Purpose
+from optimus.skills.skill import OutOfTime, Purpose
 from optimus.state import State
 
 
@@ -36,7 +36,6 @@ class _Binding:
 
     workspace: Workspace
     rng: np.random.Generator
-    deadline: float
     budget: Budget
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
@@ -55,7 +54,7 @@ class _Binding:
                 rest = self.bind(skeleton[1:], after, depth + 1)
             if rest is not None:
                 return (Step(operator, segments, after), *rest)
-            if tried + 1 >= self.budget.refinements or time.process_time() > self.deadline:
+            if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
         self._remember(operator, depth)
@@ -97,7 +96,7 @@ def solve(
     """A plan from `state` to `goal`, or why there is none. Never raises for a problem without a solution."""
     budget = budget or Budget()
     began = time.process_time()
-    deadline = began + budget.seconds
+    workspace.deadline = began + budget.seconds
     facts, learned = facts_of(workspace.scene, state), frozenset()
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
@@ -107,16 +106,17 @@ def solve(
         skeleton = _next(skeletons(facts | learned, goal, operators), failed)
         if skeleton is None:
             return last
-        binding = _Binding(workspace, rng, deadline, budget)
-        steps = binding.bind(skeleton, state)
+        binding = _Binding(workspace, rng, budget)
+        try:
+            steps = binding.bind(skeleton, state)
+        except OutOfTime:
+            return _explain(binding) if binding.culprit else last
         if steps is not None:
             stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
         failed.add(tuple(map(str, skeleton)))
         last = _explain(binding)
         learned = learned | _lesson(binding, workspace)
-        if time.process_time() > deadline:
-            return last
     return last
 
 

@@ -86,14 +86,19 @@ class _Swing:
                 chain = smoothest_chain([layer.q for layer in layers], LONGEST_STEP, forbidden, np.array(far))
                 if chain is None:
                     break
-                swing = _swing(workspace, grasping, door, layers, chain, (pitch, roll))
+                start = layers[0].q[chain[0]]
+                reach = _reach(workspace, state, door, _Grip(layers[0].yaws[chain[0]], pitch, roll), start, float(begin), rng)
+                if reach is None:
+                    far[chain[0]] = np.inf  # another way to begin
+                    continue
+                swing = _swing(workspace, replace(grasping, q=reach.q[-1]), door, layers, chain, (pitch, roll))
                 if isinstance(swing, int):
                     forbidden.add((swing, chain[swing], chain[swing + 1]))
                     continue
-                found = _whole(workspace, state, door, swing, rng)
+                found = _whole(workspace, state, door, reach, swing, rng)
                 if found is not None:
                     yield found
-                far[chain[0]] = np.inf  # another way to begin
+                far[chain[0]] = np.inf
 
     def operators_for(self, scene: Scene, makes: Predicate, undoes: Predicate) -> Iterator[Operator]:
         for door in (d.name for d in scene.doors):
@@ -123,42 +128,51 @@ def _choices(workspace: Workspace, state: State, door: Door, angle: float, pitch
     return _Choices(angle, np.array(found).reshape(-1, len(state.q)), yaws)
 
 
+def _reach(
+    workspace: Workspace, state: State, door: Door, grip: _Grip, q: Array, angle: float, rng: np.random.Generator
+) -> Segment | None:
+    start = grip.pose(door, angle)
+    return workspace.travel_to("reach", state, q, start.shifted(-STANDOFF * start.matrix[:, 2]), rng)
+
+
 def _swing(
     workspace: Workspace, state: State, door: Door, layers: list[_Choices], chain: list[int], attitude: tuple[float, float]
 ) -> Segment | int:
-    """The motion through the chosen configurations; or the number of the stretch that is blocked."""
-    path, poses, angles = [], [], []
+    """The motion through the chosen poses of the hand, beginning as the arm is in `state`; or the number of the stretch that is
+    blocked."""
+    begin = layers[0].angle
+    path, angles = [state.q], [begin]
+    poses = [_Grip(layers[0].yaws[chain[0]], *attitude).pose(door, begin)]
     for k, (here, there) in enumerate(pairwise(zip(layers, chain, strict=True))):
-        ends = [(layer.angle, layer.yaws[i], layer.q[i]) for layer, i in (here, there)]
-        steps = max(1, int(np.ceil(abs(ends[1][0] - ends[0][0]) / SWING_STEP)))
-        for share in np.linspace(0.0, 1.0, steps + 1)[1 if path else 0 :]:
-            angle, yaw, guess = ((1 - share) * a + share * b for a, b in zip(*ends, strict=True))
-            pose = _Grip(float(yaw), *attitude).pose(door, float(angle))
-            q = workspace.kinematics.refine(guess, pose)
-            if q is None or (path and np.abs(q - path[-1]).max() > MAX_JOINT_STEP):
+        ends = np.array([(layer.angle, layer.yaws[i]) for layer, i in (here, there)])
+        steps = max(1, int(np.ceil(abs(ends[1, 0] - ends[0, 0]) / SWING_STEP)))
+        for share in np.linspace(0.0, 1.0, steps + 1)[1:]:
+            angle, yaw = (float(v) for v in (1 - share) * ends[0] + share * ends[1])
+            pose = _Grip(yaw, *attitude).pose(door, angle)
+            q = workspace.kinematics.refine(path[-1], pose)
+            if q is None or np.abs(q - path[-1]).max() > MAX_JOINT_STEP:
                 return k
-            workspace.checker.look_at(state.swung(door.name, float(angle)), pulled=door.name)
+            workspace.checker.look_at(state.swung(door.name, angle), pulled=door.name)
             if workspace.checker.check(q) is not None:
                 return k
             path.append(q)
             poses.append(pose)
-            angles.append(float(angle))
+            angles.append(angle)
     doors = {door.name: np.array(angles)}
     return Segment("swing", np.array(path), tuple(poses), True, speed=PULL_SPEED, steady=True, doors=doors)
 
 
-def _whole(workspace: Workspace, state: State, door: Door, swing: Segment, rng: np.random.Generator) -> Refinement | None:
-    """A swing with its approach and its retreat; None, and entries in `failures`, if one of them is blocked."""
-    start, end, angle = swing.poses[0], swing.end, float(swing.doors[door.name][-1])
-    reach = workspace.travel_to("reach", state, swing.q[0], start.shifted(-STANDOFF * start.matrix[:, 2]), rng)
-    if reach is None:
-        return None
+def _whole(
+    workspace: Workspace, state: State, door: Door, reach: Segment, swing: Segment, rng: np.random.Generator
+) -> Refinement | None:
+    """A swing with its approach and its retreat; None, and an entry in `failures`, if the hand cannot leave."""
+    end, angle = swing.end, float(swing.doors[door.name][-1])
     left = replace(state, q=swing.q[-1], tcp=end, opening=workspace.open_width).swung(door.name, angle)
     away = end.shifted(-STANDOFF * end.matrix[:, 2])
     retreat = workspace.travel("retreat", left, [away], False, rng)
     if retreat is None:
         return None
-    close, let_go = gripper_action("close", swing.q[0], start, True), gripper_action("open", swing.q[-1], end, False)
+    close, let_go = gripper_action("close", reach.q[-1], reach.end, True), gripper_action("open", swing.q[-1], end, False)
     return (reach, close, swing, let_go, retreat), replace(left, q=retreat.q[-1], tcp=away)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
@@ -45,6 +46,10 @@ class Style:
     """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
 
 
+class OutOfTime(Exception):
+    """Planning has used up its time; caught by the planner."""
+
+
 @dataclass(frozen=True)
 class Purpose:
     """What a thing is picked up for: the support it goes to, and whether it could be put there from a state in which it is held."""
@@ -75,10 +80,18 @@ class Workspace:
     purpose: Purpose | None = None
     """Of the skill that is being refined, as far as it is known."""
 
+    deadline: float = np.inf
+    """CPU time of this process [s] after which queries raise `OutOfTime`."""
+
     def __post_init__(self) -> None:
         self.kinematics = Kinematics(self.world)
         self.checker = CollisionChecker(self.world)
         self.home = self.kinematics.fk(self.world.home)
+
+    def require_time(self) -> None:
+        """`OutOfTime` after the deadline."""
+        if time.process_time() > self.deadline:
+            raise OutOfTime
 
     @property
     def scene(self) -> Scene:
@@ -110,6 +123,7 @@ class Workspace:
     ) -> Segment | None:
         """A motion from `state` along straight lines through `corners`. With `straight`, the sampling planner may replace all but
         that many of the last lines when they are blocked. None, and an entry in `failures`, when there is no way."""
+        self.require_time()
         self.checker.look_at(state)
         found = lines.track(self.kinematics, self.checker, state.q, corners)
         if isinstance(found, Blocked) and straight is not None and len(corners) > straight:
@@ -121,33 +135,38 @@ class Workspace:
         return Segment(name, found[0], found[1], shut)
 
     def travel_to(self, name: str, state: State, q: Array, before: Pose, rng: np.random.Generator) -> Segment | None:
-        """An empty-handed motion from `state` to the very configuration `q`: by joints to where the tcp is at `before`, then
+        """An empty-handed motion from `state` to the tcp's pose at `q`: about by joints to where the tcp is at `before`, then
         along a straight line. None, and an entry in `failures`, when there is no way."""
+        self.require_time()
         self.checker.look_at(state)
         line = lines.track(self.kinematics, self.checker, q, [before])
-        if isinstance(line, Blocked):
-            self.failures.append((name, line))
+        found = line if isinstance(line, Blocked) else self._by_joints(state.q, line[0][-1], [self.kinematics.fk(q)], rng)
+        if isinstance(found, Blocked):
+            self.failures.append((name, found))
             return None
-        path = sampling.connect(self.kinematics, self.checker, state.q, line[0][-1], rng)
-        if path is None:
-            self.failures.append((name, self.checker.check(line[0][-1]) or lines.UNREACHABLE))
-            return None
-        poses = tuple(self.kinematics.fk(p) for p in path)
-        return Segment(name, np.vstack([path, line[0][-2::-1]]), (*poses, *line[1][-2::-1]), False)
+        return Segment(name, found[0], found[1], False)
 
     def _detour(
         self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator
     ) -> tuple[Array, tuple[Pose, ...]] | None:
         """By joint motion to the corner where the last `straight` lines begin, then along these."""
         for goal in islice(self.kinematics.solutions(corners[-straight - 1], q), self.style.detours):
-            last = lines.track(self.kinematics, self.checker, goal, corners[-straight:])
-            if isinstance(last, Blocked):
+            if isinstance(lines.track(self.kinematics, self.checker, goal, corners[-straight:]), Blocked):
                 continue
-            path = sampling.connect(self.kinematics, self.checker, q, goal, rng)
-            if path is not None:
-                poses = tuple(self.kinematics.fk(p) for p in path)
-                return np.vstack([path, last[0][1:]]), (*poses, *last[1][1:])
+            found = self._by_joints(q, goal, corners[-straight:], rng)
+            if not isinstance(found, Blocked):
+                return found
         return None
+
+    def _by_joints(
+        self, q: Array, goal: Array, corners: list[Pose], rng: np.random.Generator
+    ) -> tuple[Array, tuple[Pose, ...]] | Blocked:
+        """Like a free joint motion from `q` to `goal` and lines from there, but with the joints that the arm will have when its tcp
+        is led along: what no pose tells, the null space, goes to home all the time."""
+        path = sampling.connect(self.kinematics, self.checker, q, goal, rng)
+        if path is None:
+            return self.checker.check(goal) or lines.UNREACHABLE
+        return lines.track(self.kinematics, self.checker, q, [*(self.kinematics.fk(p) for p in path[1:]), *corners])
 
     def ways(self, state: State, goal: Pose) -> Iterator[Way]:
         """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof."""
@@ -193,6 +212,7 @@ class Workspace:
 
     def fits(self, state: State, goal: Pose) -> bool:
         """Whether the arm can be at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
+        self.require_time()
         self.checker.look_at(state)
         blocked = lines.UNREACHABLE
         for q in islice(self.kinematics.solutions(goal, state.q), self.style.detours):
