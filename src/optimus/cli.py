@@ -242,7 +242,7 @@ def evaluate(
     Args:
         dataset: whose validation states to start from; needed for --states validation
         states: start from the validation demonstrations' states, or from fresh random ones
-        component: of the action mixture: one sampled by its weight, or the likeliest; the gripper by vote, except with `paper`
+        component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
         task: refuse a policy that was trained for another task
         videos: write short films of successes and failures to this folder
     """

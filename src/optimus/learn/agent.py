@@ -19,17 +19,17 @@ from optimus.learn.policy import Policy
 
 Component = Literal["sampled", "likeliest", "paper"]
 
-GRIPPER_CHANGES_AT = 0.25
-"""Weight of the mixture (docs/results/first-policies.md)."""
+SHARPNESS = 4.0
+"""Where two components mean two ways to the same end, drawing evenly between them at every step leads neither way; always taking
+the likelier one may stand still for ever. Between the two: docs/results/first-policies.md."""
 
 
 class PolicyAgent:
     """Acts on the newest frames: each is encoded once, the transformer sees the tokens of the last few.
 
-    `component` says which mean of the mixture is the answer: one `sampled` by weight, or that of the
-    `likeliest`, which may freeze where the demonstrations stood still. The gripper is a decision, and one wrong step of it drops
-    what is held: it changes only when components of `GRIPPER_CHANGES_AT` weight agree to. `paper` takes all of the sampled mean,
-    the gripper too.
+    `component` says which mean of the mixture is the answer: one `sampled` by a sharpened weight, or that of the `likeliest`, which
+    may freeze where the demonstrations stood still. The gripper is a decision, and one wrong step of it drops what is held: it goes
+    by the majority of the weight. `paper` samples by the plain weight, and the gripper with the rest.
     """
 
     def __init__(
@@ -48,7 +48,6 @@ class PolicyAgent:
     def reset(self, seed: int) -> None:
         """Forget the frames; the answers that follow are a function of the seed and the observations."""
         self._tokens.clear()
-        self._shut = False
         self._noise.manual_seed(seed)
 
     @torch.inference_mode()
@@ -59,17 +58,12 @@ class PolicyAgent:
         self._tokens.extend([token] * (1 if self._tokens else self.policy.config.context))
         features = self.policy.features(torch.stack(list(self._tokens), 1))[:, -1]
         mixture = self.policy.mixture(features)
-        answer = mixture.likeliest() if self.component == "likeliest" else mixture.sampled(self._noise)
+        sharpness = 1.0 if self.component == "paper" else SHARPNESS
+        answer = mixture.likeliest() if self.component == "likeliest" else mixture.sampled(self._noise, sharpness)
         action = self.policy.denormalise(answer)[0].numpy().astype(np.float32)
-        self._shut = bool(action[GRIPPER] > 0) if self.component == "paper" else self._vote(mixture)
-        action[GRIPPER] = 1.0 if self._shut else -1.0
+        shut = bool(action[GRIPPER] > 0) if self.component == "paper" else _majority(mixture)
+        action[GRIPPER] = 1.0 if shut else -1.0
         return action.clip(-1, 1)
-
-    def _vote(self, mixture: Mixture) -> bool:
-        """Whether the gripper is to be shut: as it was, unless enough of the mixture's weight says otherwise."""
-        weight = torch.softmax(mixture.logits[0], -1)
-        otherwise = float(weight[(mixture.mean[0, :, GRIPPER] > 0) != self._shut].sum())
-        return self._shut != (otherwise > GRIPPER_CHANGES_AT)
 
     def _encode(self, observation: Observation) -> Tensor:
         """The token `(1, width)` of one frame."""
@@ -90,3 +84,9 @@ def _centre(image: NDArray[np.uint8], side: int) -> Tensor:
     """The middle of an image, `(1, side, side, 3)`."""
     top, left = (image.shape[0] - side) // 2, (image.shape[1] - side) // 2
     return torch.from_numpy(np.ascontiguousarray(image[top : top + side, left : left + side]))[None]
+
+
+def _majority(mixture: Mixture) -> bool:
+    """Whether components of more than half of the weight have the gripper shut."""
+    weight = torch.softmax(mixture.logits[0], -1)
+    return bool(weight[mixture.mean[0, :, GRIPPER] > 0].sum() > 0.5)

@@ -40,9 +40,10 @@ class Mixture:
         """The mean of the component of highest weight, `(..., n)`."""
         return self._means_of(self.logits.argmax(-1))
 
-    def sampled(self, noise: torch.Generator) -> Tensor:
-        """The mean of a component drawn by weight, `(..., n)`; nothing is added, as in the paper's code."""
-        weights = F.softmax(self.logits, -1)
+    def sampled(self, noise: torch.Generator, sharpness: float = 1.0) -> Tensor:
+        """The mean of a component drawn by its weight to the power of `sharpness`, `(..., n)`; nothing is added, as in the paper's
+        code (whose sharpness is 1)."""
+        weights = F.softmax(sharpness * self.logits, -1)
         chosen = torch.multinomial(weights.reshape(-1, weights.shape[-1]), 1, generator=noise)
         return self._means_of(chosen.reshape(weights.shape[:-1]))
 
