@@ -16,7 +16,6 @@ from optimus.control import CONTROL_HZ, controller, require_control
 from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
 from optimus.render import Rig
 from optimus.robots import Robot
-from optimus.scene import Camera
 from optimus.se3 import Array
 from optimus.spec import PHYSICS_DT
 from optimus.state import State
@@ -166,8 +165,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def render(self) -> NDArray[np.uint8]:  # type: ignore[override]
         """A larger picture `(480, 480, 3)` for people."""
-        x, y, z = self.task.close_up
-        return _rig(self.world, 480).view(self.data, Camera("people", (x + 0.9, y - 0.5, z + 0.6), (x, y, z)))
+        return _rig(self.world, 480).view(self.data, self.task.people_camera)
 
     def close(self) -> None:
         """Nothing to do: renderers are shared between environments and end with the process."""

@@ -19,7 +19,7 @@ from optimus.demonstrate import ExpertConfig
 from optimus.env import ManipulationEnv
 from optimus.errors import ModelError
 from optimus.logic import Operator
-from optimus.motion.plan import Infeasible, Plan, Step
+from optimus.motion.plan import Infeasible, Plan, Segment, Step
 from optimus.objects.shapes import Rgba
 from optimus.planner import solve
 from optimus.render import Rig
@@ -39,6 +39,8 @@ SENTENCES = {
     "pick": "pick {0} up from {1}",
     "place": "place {0} on {1}",
     "stack": "stack {0} on {1}",
+    "open": "open {0}",
+    "close": "close {0}",
 }
 
 
@@ -114,7 +116,7 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     if wrong:
         raise ModelError(f"the plan for {task.name} with seed {seed} is invalid: {'; '.join(map(str, wrong))}")
     rig = Rig(env.world, 460, 560)
-    camera = _people_camera(task)
+    camera = task.people_camera
     wanted = ", ".join(sorted(str(a) for a in goal))
     pictures, state = [], plan.start
     for number, step in enumerate(plan.steps, 1):
@@ -123,11 +125,6 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     pictures.append(captioned(_view(rig, env, state, camera), f"goal: {wanted}"))
     write_whole(out, png(grid(pictures, 3)))
     return plan
-
-
-def _people_camera(task: Task) -> Camera:
-    x, y, z = task.close_up
-    return Camera("people", (x + 0.62, y - 0.42, z + 0.42), (x, y, z + 0.04))
 
 
 def _view(
@@ -141,24 +138,33 @@ def _view(
 def _step_pictures(
     rig: Rig, env: ManipulationEnv, before: State, step: Step, number: int, camera: Camera
 ) -> list[Picture]:
-    """Two pictures a skill: before it, with the way that the tcp will take, and while the gripper acts, with the way on."""
-    working = next(i for i, s in enumerate(step.segments) if s.gripper_action)
-    there, action, onward = step.segments[:working], step.segments[working], step.segments[working + 1 :]
-    thing, after = step.operator.args[0], step.after
-    taking = after.held is not None
-    pose = after.poses[thing] if after.held is None else action.end @ after.held.tcp_from_object
-    opening = 0.05 if taking else before.opening
-    at_work = State(action.q[-1], opening, {**after.poses, thing: pose}, action.end)
-    colours = (EMPTY_HAND, LOADED_HAND) if taking else (LOADED_HAND, EMPTY_HAND)
-    ways = [
-        tuple((np.array([p.pos for p in s.poses]), colour) for s in segments)
-        for segments, colour in zip((there, onward), colours, strict=True)
-    ]
+    """Before a skill, and at each action of the gripper in it: every time with the way that the tcp takes next."""
+    works = [i for i, segment in enumerate(step.segments) if segment.gripper_action]
     text = f"{number}. {sentence(step.operator)}"
-    return [
-        captioned(_view(rig, env, before, camera, ways[0]), f"{text}: the way there"),
-        captioned(_view(rig, env, at_work, camera, ways[1]), f"{text}: {action.name}"),
-    ]
+    first = _ways(step.segments[: works[0]])
+    pictures = [captioned(_view(rig, env, before, camera, first), f"{text}: the way there")]
+    state = before
+    for this, following in zip(works, [*works[1:], len(step.segments)], strict=True):
+        state = _at_work(state, step, this)
+        onward = _ways(step.segments[this + 1 : following])
+        pictures.append(captioned(_view(rig, env, state, camera, onward), f"{text}: {step.segments[this].name}"))
+    return pictures
+
+
+def _ways(segments: tuple[Segment, ...]) -> tuple[tuple[Array, Rgba], ...]:
+    return tuple((np.array([p.pos for p in s.poses]), LOADED_HAND if s.shut else EMPTY_HAND) for s in segments)
+
+
+def _at_work(before: State, step: Step, number: int) -> State:
+    """The state in which the gripper acts in that segment of `step`."""
+    action = step.segments[number]
+    doors = dict(before.doors)
+    for segment in step.segments[:number]:
+        doors |= {name: float(angles[-1]) for name, angles in segment.doors.items()}
+    # what is put down lies where it will; what is taken, where it was
+    poses = step.after.poses if before.held is not None else before.poses
+    opening = 0.05 if action.shut else before.opening
+    return replace(before, q=action.q[-1], tcp=action.end, opening=opening, poses=poses, doors=doors, held=None)
 
 
 class Film:

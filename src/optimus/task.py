@@ -12,7 +12,7 @@ from optimus.logic import Facts
 from optimus.objects.shapes import Shape
 from optimus.predicates import Released, holds
 from optimus.robots import Robot
-from optimus.scene import Scene
+from optimus.scene import Camera, Scene
 from optimus.se3 import Pose
 from optimus.state import State
 
@@ -45,6 +45,14 @@ class Task:
     horizon: int
     close_up: tuple[float, float, float] = field(default=(0.55, 0.0, 0.05))
     """What pictures for people are centred on [m]."""
+    eye: tuple[float, float, float] = field(default=(0.66, -0.44, 0.46))
+    """From where they are taken, against that centre [m]."""
+
+    @property
+    def people_camera(self) -> Camera:
+        """The camera of pictures for people."""
+        x, y, z = (c + e for c, e in zip(self.close_up, self.eye, strict=True))
+        return Camera("people", (x, y, z), self.close_up)
 
     def problem(self, seed: int, robot: Robot | None = None) -> Problem:
         """The problem of that seed: the same one every time, on every machine. `robot` takes the place of the task's own."""

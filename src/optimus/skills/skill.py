@@ -40,6 +40,8 @@ class Style:
     """Fixtures this near to the way sideways are passed over [m]."""
     hop: float = 0.02
     """Under a roof, what is held is carried this far above its place [m]."""
+    high: float = 0.45
+    """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
     detours: int = 4
     """Arm configurations tried at a pose, where the first is blocked."""
     shuffle: bool = False
@@ -149,7 +151,12 @@ class Workspace:
     def _detour(
         self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator
     ) -> tuple[Array, tuple[Pose, ...]] | None:
-        """By joint motion to the corner where the last `straight` lines begin, then along these."""
+        """By way of home; else by joint motion to the corner where the last `straight` lines begin, then along these."""
+        for height in (self.home.pos[2], self.style.high):
+            over = Pose(np.array([*self.home.pos[:2], height]), self.home.quat)
+            known = lines.track(self.kinematics, self.checker, q, [over, *corners])
+            if not isinstance(known, Blocked):
+                return known
         for goal in islice(self.kinematics.solutions(corners[-straight - 1], q), self.style.detours):
             if isinstance(lines.track(self.kinematics, self.checker, goal, corners[-straight:]), Blocked):
                 continue

@@ -42,6 +42,8 @@ OBJECTS: dict[str, Shape] = {
     "cup": cup(0.030, 0.075, (0.95, 0.65, 0.10, 1.0)),
 }
 OBSTACLE = block(0.05, (0.30, 0.65, 0.35, 1.0), mass=0.08)
+ASIDE = (0.80, -0.48)
+"""Where the obstacle stands when it is in nobody's way [m]: scenes then differ in where things are, not in how many there are."""
 OBSTACLE_AREA = ((0.36, -0.12), (0.56, 0.12))
 """Corners of where the obstacle's middle may start: within the door's swing, clear of the shut door and of the bar [m]."""
 
@@ -100,19 +102,20 @@ def draw(sizes: bool, adapt: bool, rng: np.random.Generator) -> Problem:
         size = Size(*(round(float(rng.uniform(*r)), 2) for r in (HEIGHTS, WIDTHS, DEPTHS)))
     blocked = adapt and bool(rng.uniform() < 0.5)
     poses = {"object": _on_platform(OBJECTS[variant], rng)}
-    if blocked:
-        x, y = rng.uniform(*OBSTACLE_AREA)
+    if adapt:
+        x, y = rng.uniform(*OBSTACLE_AREA) if blocked else ASIDE
         poses["obstacle"] = Pose.of((x, y, OBSTACLE.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
     goal = frozenset({On("object", "microwave"), Released("object")})
     name = variant if not adapt else "door blocked" if blocked else "door free"
-    return Problem(scene_of(variant, size, blocked), poses, goal, name)
+    return Problem(scene_of(variant, size, adapt), poses, goal, name)
 
 
+EYE = (-0.75, -1.0, 0.65)
 CLOSE_UP = (0.55, 0.0, 0.12)
-MICROWAVE = Task("microwave", "open the microwave and put an object in", partial(draw, False, False), 600, CLOSE_UP)
+MICROWAVE = Task("microwave", "open the microwave and put an object in", partial(draw, False, False), 600, CLOSE_UP, EYE)
 MICROWAVE_RECEPTACLE = Task(
-    "microwave-receptacle", "the same, with a microwave of another size every time", partial(draw, True, False), 600, CLOSE_UP
+    "microwave-receptacle", "the same, with a microwave of another size every time", partial(draw, True, False), 600, CLOSE_UP, EYE
 )
 MICROWAVE_ADAPT = Task(
-    "microwave-adapt", "the same; in half of the starts something stands before the door", partial(draw, False, True), 800, CLOSE_UP
+    "microwave-adapt", "the same; in half of the starts, something before the door", partial(draw, False, True), 800, CLOSE_UP, EYE
 )

@@ -71,6 +71,7 @@ def draw(sizes: bool, rng: np.random.Generator) -> Problem:
     return Problem(scene, {"object": pose}, frozenset({On("object", "middle"), Released("object")}), variant)
 
 
+EYE = (-0.75, -1.0, 0.55)
 CLOSE_UP = (0.55, 0.0, 0.2)
-SHELF = Task("shelf", "an object from the lowest rung of a shelf to the middle one", partial(draw, False), 400, CLOSE_UP)
-SHELF_RECEPTACLE = Task("shelf-receptacle", "the same, on a shelf of another size every time", partial(draw, True), 400, CLOSE_UP)
+SHELF = Task("shelf", "an object from the lowest rung of a shelf to the middle one", partial(draw, False), 400, CLOSE_UP, EYE)
+SHELF_RECEPTACLE = Task("shelf-receptacle", "the same, each time on another shelf", partial(draw, True), 400, CLOSE_UP, EYE)
