@@ -28,8 +28,11 @@ def plan_for(env: ManipulationEnv, seed: int) -> Plan:
     return plan
 
 
-@pytest.mark.parametrize("name", TASKS)
-@pytest.mark.parametrize("seed", range(300, 320))
+SEEDS = [(name, seed) for name in TASKS for seed in range(300, 320 if name in ("stack", "pick-place") else 303)]
+"""Twenty seeds of the two smallest tasks, three of each of the others."""
+
+
+@pytest.mark.parametrize(("name", "seed"), SEEDS)
 def test_physics_confirms_every_declared_effect(name: str, seed: int) -> None:
     """The key test: it ties the symbols to the world."""
     env = ManipulationEnv(task(name), images=False)

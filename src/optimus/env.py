@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, controller, require_control
 from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
+from optimus.errors import ModelError
 from optimus.render import Rig
 from optimus.robots import Robot
 from optimus.se3 import Array
@@ -92,6 +93,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         opening = 2 * self.world.scene.robot.finger_travel
         state = State(self.world.home, opening, self.problem.poses, tcp=self.world.tcp(self.data))
         self.world.write(self.data, state)
+        if overlap := self.world.overlap(self.data):
+            raise ModelError(f"{self.task.name}, seed {drawn}: {overlap}; let the task draw starts that are apart")
         self.controller.reset(self.data)
         self._advance(gripper=-1.0, substeps=round(SETTLE_SECONDS / PHYSICS_DT))
         if options and "state" in options:

@@ -26,6 +26,15 @@ class Problem:
     goal: Facts
     variant: str = ""
 
+    def __post_init__(self) -> None:
+        movable = set(self.scene.movable_names)
+        if set(self.poses) != movable:
+            raise ModelError(f"a problem's poses are those of its movables: {sorted(movable)}, not {sorted(self.poses)}")
+        known = {*movable, *self.scene.fixture_poses, *(d.name for d in self.scene.doors)}
+        unknown = sorted({name for atom in self.goal for name in atom.args} - known)
+        if unknown:
+            raise ModelError(f"the goal names {', '.join(unknown)}; the scene has {', '.join(sorted(known))}")
+
     def success(self, state: State) -> bool:
         """The strict rule: every atom of the goal holds, released, settled and the hand clear among them."""
         return all(holds(self.scene, state, atom) for atom in self.goal)

@@ -13,6 +13,9 @@ from optimus.se3 import Array, Pose
 from optimus.spec import BAR_SUFFIX, HAND_PREFIX, world_spec
 from optimus.state import Held, State
 
+OVERLAP = 0.004
+"""Things deeper inside one another than this at the start do not just touch [m]."""
+
 
 class World:
     """A compiled scene: the one `MjModel` and the addresses of everything in it. Build with `compile_scene`."""
@@ -111,6 +114,15 @@ class World:
             tcp=tcp,
             doors={n: float(data.qpos[at]) for n, at in self.door_qpos.items()},
         )
+
+    def overlap(self, data: mujoco.MjData) -> str:
+        """Which two things stand inside one another, and how deep; empty if none do. For a state that was just written."""
+        for (geom_a, geom_b), gap in zip(data.contact.geom[: data.ncon], data.contact.dist[: data.ncon], strict=True):
+            a, b = (int(self.model.geom_bodyid[g]) for g in (geom_a, geom_b))
+            names = [self.body_names.get(body, "robot") for body in (a, b)]
+            if gap < -OVERLAP and any(name in self.movable_qpos for name in names):
+                return f"{names[0]} and {names[1]} overlap by {-1e3 * gap:.0f} mm at the start"
+        return ""
 
     def _touched_by_fingers(self, data: mujoco.MjData) -> dict[str, set[int]]:
         """Which movables are in contact with the robot, and with which of its fingers."""

@@ -30,8 +30,12 @@ TASKS: dict[str, str] = {
 
 
 def task(name: str) -> Task:
-    """The task of that name; `UnknownNameError` lists the known ones."""
-    if name not in TASKS:
+    """The task of that name, or of `module:ATTRIBUTE` for one outside the package; `UnknownNameError` lists the known ones."""
+    place = TASKS.get(name, name)
+    module, _, attribute = place.partition(":")
+    if not attribute:
         raise UnknownNameError("task", name, TASKS)
-    module, attribute = TASKS[name].split(":")
-    return getattr(import_module(module), attribute)
+    try:
+        return getattr(import_module(module), attribute)
+    except (ImportError, AttributeError) as error:
+        raise UnknownNameError("task", f"{name} ({error})", TASKS) from error

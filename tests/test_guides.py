@@ -1,0 +1,82 @@
+"""The code in the guides runs, and does what they say."""
+
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from optimus.closed_loop import ClosedLoop
+from optimus.demonstrate import ExpertConfig, demonstrate
+from optimus.env import ManipulationEnv
+from optimus.errors import ModelError, UnknownNameError
+from optimus.expert import TimeLaw
+from optimus.logic import Atom
+from optimus.motion.plan import Plan
+from optimus.planner import Budget, solve
+from optimus.predicates import PREDICATES, holds
+from optimus.rollout import rollout
+from optimus.skills import SKILLS, Workspace
+from optimus.tasks import task
+
+DOCS = Path(__file__).parent.parent / "docs"
+
+
+def run_guide(guide: str, name: str) -> ModuleType:
+    """The guide's first block of Python as a module of that name."""
+    found = re.search(r"```python\n(.*?)```", (DOCS / guide).read_text(), re.DOTALL)
+    assert found
+    module = ModuleType(name)
+    sys.modules[name] = module
+    exec(compile(found.group(1), guide, "exec"), module.__dict__)
+    return module
+
+
+@pytest.fixture
+def swap() -> Iterator[ModuleType]:
+    yield run_guide("add_a_task.md", "swap_task")
+    del sys.modules["swap_task"]
+
+
+def test_the_task_of_the_guide_is_solved(swap: ModuleType) -> None:
+    env = ManipulationEnv(task("swap_task:SWAP"), images=False)
+    attempts = [demonstrate(env, seed, ExpertConfig(check=True)) for seed in range(3)]
+    assert all(a.success for a in attempts), [a.failure for a in attempts]
+    # two objects, each where the other belongs: nothing need be moved twice
+    assert {a.episode.skeleton for a in attempts if a.episode} == {("pick", "place", "pick", "place")}
+
+
+def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
+    problem = swap.SWAP.problem(0)
+    with pytest.raises(ModelError, match=r"the goal names lid; the scene has .*left"):
+        replace(problem, goal=frozenset({Atom("On", ("lid", "left"))}))
+    with pytest.raises(ModelError, match="poses"):
+        replace(problem, poses={})
+    together = replace(problem, poses=dict.fromkeys(problem.poses, problem.poses["cup"]))
+    overlapping = replace(swap.SWAP, draw=lambda rng: together)
+    with pytest.raises(ModelError, match=r"cup and block overlap by \d+ mm|block and cup overlap by \d+ mm"):
+        ManipulationEnv(overlapping, images=False).reset(seed=0)
+    with pytest.raises(UnknownNameError, match="NOTHING"):
+        task("swap_task:NOTHING")
+
+
+def test_the_skill_of_the_guide_is_planned_with_and_done() -> None:
+    before = set(PREDICATES), set(SKILLS)
+    try:
+        guide = run_guide("add_a_skill.md", "present_skill")
+        env = ManipulationEnv(task("stack"), images=False)
+        observation, _ = env.reset(seed=0)
+        goal, workspace, rng = frozenset({guide.Presented("cubeB")}), Workspace(env.world), np.random.default_rng(0)
+        plan = solve(workspace, env.state(), goal, rng)
+        assert isinstance(plan, Plan) and plan.skeleton == ("pick", "present")
+        env.problem = replace(env.problem, goal=goal)
+        rollout(env, observation, ClosedLoop(env, workspace, plan, TimeLaw(), rng, Budget()), "expert")
+        assert holds(env.world.scene, env.state(), guide.Presented("cubeB"))
+    finally:
+        for table, known in zip((PREDICATES, SKILLS), before, strict=True):
+            for name in set(table) - known:
+                del table[name]

@@ -1,0 +1,122 @@
+"""Every task: its starts are what the paper says, and the expert's plans are valid and succeed in physics."""
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from optimus.collision import CollisionChecker
+from optimus.demonstrate import ExpertConfig, demonstrate
+from optimus.env import ManipulationEnv
+from optimus.motion.chain import smoothest_chain
+from optimus.motion.plan import Infeasible
+from optimus.objects.shapes import slab
+from optimus.planner import solve
+from optimus.predicates import Open, facts_of
+from optimus.scene import Fixture
+from optimus.skills import Workspace
+from optimus.tasks import TASKS, task
+from optimus.world import compile_scene
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_valid_plans_succeed(name: str) -> None:
+    env = ManipulationEnv(task(name), images=False)
+    attempts = [demonstrate(env, seed, ExpertConfig(check=True)) for seed in (11, 12)]
+    assert all(a.success for a in attempts), [(a.failure, a.info.get("violations")) for a in attempts]
+
+
+@pytest.mark.parametrize(("name", "variant"), [("stack-adapt", "base on target"), ("microwave-adapt", "door free")])
+def test_the_two_branches_come_equally_often(name: str, variant: str) -> None:
+    count = sum(task(name).problem(seed).variant == variant for seed in range(200))
+    assert 70 <= count <= 130  # 4.2 standard deviations about 100
+
+
+def test_the_branches_ask_for_different_plans() -> None:
+    for name, plain, longer in (
+        ("stack-adapt", ("pick", "stack"), ("pick", "place", "pick", "stack")),
+        ("microwave-adapt", ("open", "pick", "place"), ("pick", "place", "open", "pick", "place")),
+    ):
+        env, seen = ManipulationEnv(task(name), images=False), {}
+        for seed in range(20):
+            env.reset(seed=seed)
+            if env.problem.variant not in seen:
+                plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+                assert not isinstance(plan, Infeasible), plan
+                seen[env.problem.variant] = plan.skeleton
+        assert sorted(seen.values(), key=len) == [plain, longer]
+
+
+@pytest.mark.parametrize(("name", "count"), [("stack", 2), ("stack-three", 3), ("stack-four", 4), ("stack-five", 5)])
+def test_blocks_start_apart_within_their_range(name: str, count: int) -> None:
+    reach = {2: 0.08, 3: 0.10, 4: 0.12, 5: 0.14}[count]
+    for seed in range(50):
+        problem = task(name).problem(seed)
+        points = np.array([pose.pos for pose in problem.poses.values()])
+        assert len(points) == count and np.abs(points[:, :2] - (0.5, 0.0)).max() <= reach
+        gaps = [np.linalg.norm(a[:2] - b[:2]) for i, a in enumerate(points) for b in points[:i]]
+        assert min(gaps) > 0.056  # diagonals of two small blocks
+
+
+def test_a_door_that_something_fixed_blocks_is_said_to_be_blocked() -> None:
+    problem = task("microwave").problem(0)
+    post = Fixture("post", slab(0.03, 0.03, 0.25, (0.5, 0.5, 0.5, 1.0)), (0.52, 0.0, 0.125))
+    scene = replace(problem.scene, fixtures=(*problem.scene.fixtures, post))
+    env = ManipulationEnv(replace(task("microwave"), draw=lambda rng: replace(problem, scene=scene)), images=False)
+    env.reset(seed=0)
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+    assert isinstance(found, Infeasible)
+    assert found.skill == "open" and "door" in found.objects and "post" in found.blockers, found
+
+
+def test_things_behind_a_shut_door_are_out_of_reach_until_it_is_open() -> None:
+    env = ManipulationEnv(task("microwave"), images=False)
+    env.reset(seed=0)
+    facts = facts_of(env.world.scene, env.state())
+    assert Open("door") not in facts
+    assert Open("door") in facts_of(env.world.scene, env.state().swung("door", 1.6))
+
+
+def test_roofs_and_open_sky() -> None:
+    scene = task("shelf").problem(0).scene
+    rungs = {name: scene.fixture_poses[name].pos for name in ("lower", "middle")}
+    assert all(scene.is_roofed(point, 0.0) for point in rungs.values())
+    assert not scene.is_roofed(rungs["lower"] - (0.4, 0.0, 0.0), 0.1)
+    assert not task("stack").problem(0).scene.is_roofed(np.array([0.5, 0.0, 0.02]), 0.1)
+
+
+def test_a_pulled_door_may_touch_the_fingers_by_its_bar_alone() -> None:
+    problem = task("microwave").problem(0)
+    world = compile_scene(problem.scene)
+    env = ManipulationEnv(task("microwave"), images=False)
+    env.reset(seed=0)
+    plan = solve(Workspace(env.world), env.state(), frozenset({Open("door")}), np.random.default_rng(0))
+    assert not isinstance(plan, Infeasible)
+    swing = next(s for s in plan.segments if s.doors)
+    state = replace(env.state(), q=swing.q[0], opening=0.018)
+    checker = CollisionChecker(world)
+    checker.look_at(state, pulled="door")
+    assert checker.check(swing.q[0]) is None
+    checker.look_at(state.swung("door", 0.5), pulled="door")  # the door swings, the hand stays: they meet elsewhere
+    assert checker.check(swing.q[0]) is not None or checker.check(swing.q[-1]) is not None
+
+
+def test_the_smoothest_chain_is_the_best_of_all() -> None:
+    rng = np.random.default_rng(0)
+    for _ in range(30):
+        layers = [rng.uniform(-0.5, 0.5, (int(rng.integers(1, 5)), 3)) for _ in range(4)]
+        first = rng.uniform(0, 0.2, len(layers[0]))
+        forbidden = {(0, 0, 0)}
+
+        def cost(chain: tuple[int, ...], layers=layers, first=first, forbidden=forbidden) -> float:
+            steps = [layers[k + 1][chain[k + 1]] - layers[k][chain[k]] for k in range(3)]
+            broken = any(np.abs(s).max() > 0.6 for s in steps) or any((k, chain[k], chain[k + 1]) in forbidden for k in range(3))
+            return np.inf if broken else first[chain[0]] + sum(float(s @ s) for s in steps)
+
+        best = min(cost(chain) for chain in product(*(range(len(layer)) for layer in layers)))
+        found = smoothest_chain(layers, 0.6, forbidden, first)
+        if found is None:
+            assert best == np.inf
+        else:
+            assert cost(tuple(found)) == pytest.approx(best)
