@@ -7,6 +7,10 @@ import pytest
 from optimus.collect import CollectConfig, collect
 from optimus.data.curate import curate
 from optimus.learn.train import TrainConfig, train
+from optimus.tasks import TASKS
+
+SOLVED = [name for name in TASKS if name != "microwave-receptacle"]
+"""Tasks that the expert is held to; what the other lacks is said in the README."""
 
 
 @pytest.fixture(scope="session")

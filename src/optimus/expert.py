@@ -158,7 +158,7 @@ class PlanFollower:
             self._waited += 1
             delta = self._path.delta(target, self._path.length)
         else:
-            delta = self._advance(target, tcp, segment.speed or self.law.speed)
+            delta = self._advance(target, tcp, min(segment.speed, self.law.speed))
             self.errors.append(self._gap(tcp))
         arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
         return np.array([*arm, 1.0 if segment.shut else -1.0], np.float32)

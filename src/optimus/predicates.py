@@ -15,8 +15,8 @@ REST_SPEED = 0.01
 """... and it is settled below this speed [m/s]."""
 UPRIGHT = 0.97
 """The cosine of the largest tilt at which a thing still counts as standing (14 degrees)."""
-OPEN_FROM = 1.4
-"""A door counts as open from this angle on [rad], 80 degrees."""
+OPEN_FROM = 1.3
+"""A door counts as open from this angle on [rad], 74 degrees."""
 SHUT_TO = 0.05
 """... and as shut up to this one [rad]."""
 HAND_CLEAR = 0.05

@@ -155,7 +155,8 @@ class _Check:
 
     def _speeds(self, segment: Segment) -> None:
         """Joint speeds, averaged over the controller's `RESPONSE`, at every control step."""
-        steps = [distance(a, b) / self.law.speed for a, b in pairwise(segment.poses)]
+        speed = min(self.law.speed, segment.speed)
+        steps = [distance(a, b) / speed for a, b in pairwise(segment.poses)]
         times = np.concatenate([[0.0], np.cumsum(steps)])
         at = np.append(np.arange(0.0, max(times[-1] - RESPONSE, 0.0), 1 / CONTROL_HZ), max(times[-1] - RESPONSE, 0.0))
         first, last = (np.column_stack([np.interp(t, times, joint) for joint in segment.q.T]) for t in (at, at + RESPONSE))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -14,6 +15,8 @@ LINE_STEP = 0.015
 """Largest distance between waypoints [m]."""
 TURN_WEIGHT = 0.2
 """A turn of one radian counts as this many metres of motion."""
+STRETCH = 0.035
+"""Joint speeds count as means over this length [m], about what the controller smooths over."""
 MAX_JOINT_STEP = 0.35
 """A larger change between waypoints is a jump to another arm configuration, not a motion [rad]."""
 
@@ -45,3 +48,11 @@ def track(
             path.append(here)
             poses.append(pose)
     return np.array(path), tuple(poses)
+
+def fastest(q: Array, poses: tuple[Pose, ...], limits: Array) -> float:
+    """How fast the tcp may go along a path so that no joint exceeds its limit `(dof,)` [rad/s] on any `STRETCH` of it."""
+    along = np.concatenate([[0.0], np.cumsum([distance(a, b) for a, b in pairwise(poses)])])
+    ends = np.minimum(np.searchsorted(along, along + STRETCH), len(along) - 1)
+    turned = (np.abs(q[ends] - q) / limits).max(axis=1)
+    went = along[ends] - along
+    return float(np.min(np.where(turned > 1e-6, went / np.maximum(turned, 1e-6), np.inf), initial=np.inf))

@@ -25,8 +25,8 @@ class Segment:
     poses: tuple[Pose, ...]
     shut: bool
     gripper_action: bool = False
-    speed: float | None = None
-    """The follower goes no faster than this here [m/s]."""
+    speed: float = np.inf
+    """The follower goes no faster than this here [m/s]; turns count as in `lines.distance`."""
     steady: bool = False
     """Nothing may push the hand here: it has hold of something that is not free to come along."""
     doors: dict[str, Array] = field(default_factory=dict)

@@ -24,10 +24,10 @@ KNOT, SWING_STEP = 0.21, 0.05
 """Between the angles at which the arm's configuration is chosen, and between the waypoints of a swing [rad]."""
 LONGEST_STEP = 0.8
 """No joint turns further from one chosen configuration to the next [rad]."""
-OPEN_TO, SHUT_AT = 1.65, 0.0
+OPEN_TO, SHUT_AT = 1.45, 0.0
 """Where a door is left [rad]."""
 PULL_SPEED = 0.20
-"""[m/s]; a swing of 1.65 rad at 0.45 m takes some four seconds."""
+"""[m/s]; a swing of 1.45 rad at 0.45 m takes some four seconds."""
 STANDOFF = 0.12
 """The hand approaches and leaves a bar along this stretch [m]."""
 YAWS = tuple(np.radians((-60.0, -40.0, -20.0, 0.0, 20.0, 40.0, 60.0)))
@@ -159,7 +159,8 @@ def _swing(
             poses.append(pose)
             angles.append(angle)
     doors = {door.name: np.array(angles)}
-    return Segment("swing", np.array(path), tuple(poses), True, speed=PULL_SPEED, steady=True, doors=doors)
+    swing = workspace.motion("swing", np.array(path), tuple(poses), True, PULL_SPEED)
+    return replace(swing, steady=True, doors=doors)
 
 
 def _whole(

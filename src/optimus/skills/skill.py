@@ -22,6 +22,8 @@ from optimus.world import World
 
 T = TypeVar("T")
 
+SPEED_SHARE = 0.9
+"""Of the joints' speed limits, what a plan makes use of."""
 ROOF_MARGIN = 0.10
 """The hand reaches this far beyond the tcp, sideways [m]."""
 
@@ -120,6 +122,11 @@ class Workspace:
         pose = state.poses[name]
         return float(pose.pos[2] + np.abs(pose.matrix[2]) @ np.array(self.scene.shape_of(name).half_extents))
 
+    def motion(self, name: str, q: Array, poses: tuple[Pose, ...], shut: bool, speed: float = np.inf) -> Segment:
+        """A segment no faster than the joints allow, nor than `speed` [m/s]."""
+        allowed = SPEED_SHARE * lines.fastest(q, poses, np.array(self.scene.robot.speed_limits))
+        return Segment(name, q, poses, shut, speed=min(speed, allowed))
+
     def travel(
         self, name: str, state: State, corners: list[Pose], shut: bool, rng: np.random.Generator, straight: int | None = None
     ) -> Segment | None:
@@ -134,7 +141,7 @@ class Workspace:
         if isinstance(found, Blocked):
             self.failures.append((name, found))
             return None
-        return Segment(name, found[0], found[1], shut)
+        return self.motion(name, found[0], found[1], shut)
 
     def travel_to(self, name: str, state: State, q: Array, before: Pose, rng: np.random.Generator) -> Segment | None:
         """An empty-handed motion from `state` to the tcp's pose at `q`: about by joints to where the tcp is at `before`, then
@@ -146,7 +153,7 @@ class Workspace:
         if isinstance(found, Blocked):
             self.failures.append((name, found))
             return None
-        return Segment(name, found[0], found[1], False)
+        return self.motion(name, found[0], found[1], False)
 
     def _detour(
         self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator

@@ -33,6 +33,8 @@ FRONT, HINGE_Y = 0.70, 0.28
 BOTTOM = 0.002
 BAR_OFF, BAR_INSET, BAR_RADIUS = 0.045, 0.05, 0.009
 """The bar stands this far off the panel's middle, this far from its free edge [m]."""
+BAR_HEIGHT, BAR_LENGTH = 0.15, 0.15
+"""Of its middle above the microwave's foot [m]."""
 PLATFORM, PLATFORM_AT = 0.25, (0.42, -0.44)
 HEIGHT = 0.02
 
@@ -62,13 +64,12 @@ def microwave(size: Size) -> tuple[Fixture, Door]:
     """A box, and the door before it, hinged on its left edge as the arm sees it."""
     middle = (FRONT + WALL / 2 + size.depth / 2, HINGE_Y - size.width / 2, BOTTOM + size.height / 2)
     box = Fixture("microwave", box_open_in_front(size.depth, size.width, size.height, BODY), middle, door="door")
-    length = 0.5 * size.height
-    at = (-BAR_OFF, -(size.width - BAR_INSET), 0.0)
+    at = (-BAR_OFF, -(size.width - BAR_INSET), BAR_HEIGHT - size.height / 2)
     door = Door(
         name="door",
-        shape=panel(size.width - 0.002, size.height - 0.004, FACE, -1.0, at, length),
+        shape=panel(size.width - 0.002, size.height - 0.004, FACE, -1.0, at, BAR_LENGTH),
         hinge=(FRONT, HINGE_Y, BOTTOM + size.height / 2),
-        bar=Bar(at, BAR_RADIUS, length),
+        bar=Bar(at, BAR_RADIUS, BAR_LENGTH),
         turns=-1.0,
     )
     return box, door
