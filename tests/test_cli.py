@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from optimus.collect import CollectConfig, collect
+from optimus.tasks import TASKS
 
 
 def optimus(*args: str) -> subprocess.CompletedProcess[str]:
@@ -30,15 +31,15 @@ def refused(*args: str) -> str:
 
 
 def test_tasks_and_help() -> None:
-    assert {t["name"] for t in result_of("tasks")["tasks"]} == {"stack", "pick-place"}
+    assert {t["name"] for t in result_of("tasks")["tasks"]} == set(TASKS)
     for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
 
 
 def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
-    assert "pick-place, stack" in refused("show", "stackk")
-    assert "pick-place, stack" in refused("collect", "stackk", "--out", str(tmp_path / "d"))
+    assert ", ".join(sorted(TASKS)) in refused("show", "stackk")
+    assert "pick-place-two, shelf" in refused("collect", "stackk", "--out", str(tmp_path / "d"))
     assert "collect" in refused("colect", "stack")
     assert not (tmp_path / "d").exists()
 

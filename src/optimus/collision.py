@@ -85,7 +85,7 @@ class CollisionChecker:
         gripped = with_held & self._finger_geom[geoms].any(axis=1)
         if self._bar_geom >= 0:  # of a door, only the bar is there to be gripped
             gripped &= (geoms == self._bar_geom).any(axis=1)
-        limit = np.where(with_held, HELD_DEPTH, ROBOT_DEPTH)
+        limit = np.where(with_held & (self._bar_geom < 0), HELD_DEPTH, ROBOT_DEPTH)
         bad = (robot | held).any(axis=1) & ~gripped & (depth > limit)
         if not bad.any():
             return None

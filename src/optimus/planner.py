@@ -18,6 +18,9 @@ from optimus.skills.place import Place
 from optimus.skills.skill import OutOfTime, Purpose
 from optimus.state import State
 
+REACH = {"its joint limits", "the workspace's edge"}
+"""What limits the arm where nothing is in its way."""
+
 
 @dataclass(frozen=True)
 class Budget:
@@ -137,6 +140,6 @@ def _explain(binding: _Binding) -> Infeasible:
         return Infeasible("planning time spent")
     o = binding.culprit
     blockers = tuple(name for name, _ in binding.blame.most_common())
-    reason = "out of reach" if blockers == ("its joint limits",) else "no collision-free way" if blockers else "no room"
+    reason = "out of reach" if blockers and REACH.issuperset(blockers) else "no collision-free way" if blockers else "no room"
     return Infeasible(reason, o.skill, o.args, blockers)
 

@@ -15,8 +15,10 @@ LINE_STEP = 0.015
 """Largest distance between waypoints [m]."""
 TURN_WEIGHT = 0.2
 """A turn of one radian counts as this many metres of motion."""
-STRETCH = 0.035
-"""Joint speeds count as means over this length [m], about what the controller smooths over."""
+RESPONSE = 0.1
+"""What the controller smooths motions over, about [s]."""
+SLOWEST = 0.03
+"""No limit slows the tcp down further [m/s]: where it hardly moves, the joints take the time that the controller gives them."""
 MAX_JOINT_STEP = 0.35
 """A larger change between waypoints is a jump to another arm configuration, not a motion [rad]."""
 
@@ -49,10 +51,16 @@ def track(
             poses.append(pose)
     return np.array(path), tuple(poses)
 
-def fastest(q: Array, poses: tuple[Pose, ...], limits: Array) -> float:
-    """How fast the tcp may go along a path so that no joint exceeds its limit `(dof,)` [rad/s] on any `STRETCH` of it."""
+def fastest(q: Array, poses: tuple[Pose, ...], limits: Array, at_most: float) -> float:
+    """How fast the tcp may go along a path, `at_most` [m/s], so that no joint exceeds its limit `(dof,)` [rad/s] in the mean of any
+    `RESPONSE`."""
     along = np.concatenate([[0.0], np.cumsum([distance(a, b) for a, b in pairwise(poses)])])
-    ends = np.minimum(np.searchsorted(along, along + STRETCH), len(along) - 1)
-    turned = (np.abs(q[ends] - q) / limits).max(axis=1)
-    went = along[ends] - along
-    return float(np.min(np.where(turned > 1e-6, went / np.maximum(turned, 1e-6), np.inf), initial=np.inf))
+    speed = at_most
+    for _ in range(6):  # the slower, the shorter the stretch over which speeds are averaged
+        ends = np.minimum(np.searchsorted(along, along + RESPONSE * speed), len(along) - 1)
+        turned, went = (np.abs(q[ends] - q) / limits).max(axis=1), along[ends] - along
+        allowed = float(np.min(np.where(turned > 1e-6, went / np.maximum(turned, 1e-6), np.inf), initial=np.inf))
+        if allowed >= speed:
+            break
+        speed = max(SLOWEST, min(allowed, 0.95 * speed))
+    return speed

@@ -20,7 +20,7 @@ from optimus.se3 import Array, Pose, quat_from_matrix, quat_from_rotvec, quat_mu
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import State
 
-KNOT, SWING_STEP = 0.21, 0.05
+KNOT, SWING_STEP = 0.21, 0.03
 """Between the angles at which the arm's configuration is chosen, and between the waypoints of a swing [rad]."""
 LONGEST_STEP = 0.8
 """No joint turns further from one chosen configuration to the next [rad]."""
@@ -77,9 +77,11 @@ class _Swing:
         door = workspace.scene.door(args[0])
         begin = state.doors[door.name]
         angles = np.linspace(begin, self.target, max(2, int(np.ceil(abs(self.target - begin) / KNOT)) + 1))
-        grasping = replace(state, opening=2 * door.bar.radius)
+        grasping, wide = replace(state, opening=2 * door.bar.radius), replace(state, opening=workspace.open_width)
         for pitch, roll in ATTITUDES:
-            layers = [_choices(workspace, grasping, door, float(angle), pitch, roll) for angle in angles]
+            # at both ends the hand is open for a while
+            hands = [wide, *[grasping] * (len(angles) - 2), wide]
+            layers = [_choices(workspace, h, door, float(a), pitch, roll) for h, a in zip(hands, angles, strict=True)]
             forbidden: set[Edge] = set()
             far = [float(np.square(q - state.q).sum()) for q in layers[0].q]
             for _ in range(REPAIRS):
@@ -169,6 +171,11 @@ def _whole(
     """A swing with its approach and its retreat; None, and an entry in `failures`, if the hand cannot leave."""
     end, angle = swing.end, float(swing.doors[door.name][-1])
     left = replace(state, q=swing.q[-1], tcp=end, opening=workspace.open_width).swung(door.name, angle)
+    workspace.checker.look_at(left, pulled=door.name)
+    blocked = workspace.checker.check(swing.q[-1])
+    if blocked is not None:
+        workspace.failures.append(("let go", blocked))
+        return None
     away = end.shifted(-STANDOFF * end.matrix[:, 2])
     retreat = workspace.travel("retreat", left, [away], False, rng)
     if retreat is None:

@@ -22,6 +22,8 @@ from optimus.world import World
 
 T = TypeVar("T")
 
+FASTEST = 0.5
+"""No plan is for a faster tcp than this [m/s]."""
 SPEED_SHARE = 0.9
 """Of the joints' speed limits, what a plan makes use of."""
 ROOF_MARGIN = 0.10
@@ -122,10 +124,10 @@ class Workspace:
         pose = state.poses[name]
         return float(pose.pos[2] + np.abs(pose.matrix[2]) @ np.array(self.scene.shape_of(name).half_extents))
 
-    def motion(self, name: str, q: Array, poses: tuple[Pose, ...], shut: bool, speed: float = np.inf) -> Segment:
+    def motion(self, name: str, q: Array, poses: tuple[Pose, ...], shut: bool, speed: float = FASTEST) -> Segment:
         """A segment no faster than the joints allow, nor than `speed` [m/s]."""
-        allowed = SPEED_SHARE * lines.fastest(q, poses, np.array(self.scene.robot.speed_limits))
-        return Segment(name, q, poses, shut, speed=min(speed, allowed))
+        limits = SPEED_SHARE * np.array(self.scene.robot.speed_limits)
+        return Segment(name, q, poses, shut, speed=lines.fastest(q, poses, limits, speed))
 
     def travel(
         self, name: str, state: State, corners: list[Pose], shut: bool, rng: np.random.Generator, straight: int | None = None
