@@ -12,7 +12,7 @@ import numpy as np
 
 from optimus.logic import Facts, Operator, Predicate
 from optimus.motion.chain import Edge, smoothest_chain
-from optimus.motion.lines import MAX_JOINT_STEP, UNREACHABLE
+from optimus.motion.lines import UNREACHABLE
 from optimus.motion.plan import Segment
 from optimus.predicates import HandEmpty, Open, Shut
 from optimus.scene import Door, Scene
@@ -20,10 +20,12 @@ from optimus.se3 import Array, Pose, quat_from_matrix, quat_from_rotvec, quat_mu
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import State
 
-KNOT, SWING_STEP = 0.21, 0.03
+KNOT, SWING_STEP = 0.21, 0.05
 """Between the angles at which the arm's configuration is chosen, and between the waypoints of a swing [rad]."""
 LONGEST_STEP = 0.8
 """No joint turns further from one chosen configuration to the next [rad]."""
+SMOOTH_STEP = 0.2
+"""Nor from one waypoint to the next: more is a turn of the elbow in which the hand would stray from the bar [rad]."""
 OPEN_TO, SHUT_AT = 1.45, 0.0
 """Where a door is left [rad]."""
 PULL_SPEED = 0.20
@@ -152,7 +154,7 @@ def _swing(
             angle, yaw = (float(v) for v in (1 - share) * ends[0] + share * ends[1])
             pose = _Grip(yaw, *attitude).pose(door, angle)
             q = workspace.kinematics.refine(path[-1], pose)
-            if q is None or np.abs(q - path[-1]).max() > MAX_JOINT_STEP:
+            if q is None or np.abs(q - path[-1]).max() > SMOOTH_STEP:
                 return k
             workspace.checker.look_at(state.swung(door.name, angle), pulled=door.name)
             if workspace.checker.check(q) is not None:
