@@ -95,12 +95,17 @@ def test_a_pulled_door_may_touch_the_fingers_by_its_bar_alone() -> None:
     plan = solve(Workspace(env.world), env.state(), frozenset({Open("door")}), np.random.default_rng(0))
     assert not isinstance(plan, Infeasible)
     swing = next(s for s in plan.segments if s.doors)
-    state = replace(env.state(), q=swing.q[0], opening=0.018)
+    # fingers pressed 3 mm into the bar from either side
+    state = replace(env.state(), q=swing.q[0], opening=2 * problem.scene.doors[0].bar.radius - 0.006)
     checker = CollisionChecker(world)
     checker.look_at(state, pulled="door")
     assert checker.check(swing.q[0]) is None
-    checker.look_at(state.swung("door", 0.5), pulled="door")  # the door swings, the hand stays: they meet elsewhere
-    assert checker.check(swing.q[0]) is not None or checker.check(swing.q[-1]) is not None
+    checker.look_at(state)
+    assert checker.check(swing.q[0]) is not None
+    checker.look_at(state.swung("door", 1.45), pulled="door")
+    assert checker.check(swing.q[-1]) is None
+    checker.look_at(state.swung("door", 0.3), pulled="door")  # the door swings, the hand stays: they meet elsewhere
+    assert checker.check(swing.q[0]) is not None
 
 
 def test_the_smoothest_chain_is_the_best_of_all() -> None:

@@ -48,16 +48,6 @@ def test_the_planner_s_own_plans_are_valid(name: str, seed: int) -> None:
     assert validate(plan, env.world.scene, env.problem.goal) == []
 
 
-def test_a_plan_that_moves_another_thing_first_is_valid() -> None:
-    env = ManipulationEnv(task("stack"), images=False)
-    env.reset(seed=0)
-    state = env.state()
-    state = state.moved("cubeA", Pose.of((0.5, 0.0, 0.02))).moved("cubeB", Pose.of((0.5, 0.0, 0.065)))
-    plan = solve(Workspace(env.world), state, env.problem.goal, np.random.default_rng(0))
-    assert isinstance(plan, Plan) and len(plan.steps) == 4
-    assert validate(plan, env.world.scene, env.problem.goal) == []
-
-
 # ---- faults, each put into a valid plan
 
 

@@ -60,12 +60,12 @@ class Replay:
             pose, address = tcp @ self.state.held.tcp_from_object, world.movable_qpos[self.state.held.name]
             data.qpos[address : address + 7] = [*pose.pos, *pose.quat]
             mujoco.mj_kinematics(world.model, data)
-        self._swung = frozenset(world.body_ids[name] for name in swings(segment))
+        self._swung = frozenset(world.body_ids[name] for name in segment.doors)
         return tcp
 
     def _doors(self, segment: Segment, at: float) -> dict[str, float]:
         """How far each door is open [rad]: as it was left, unless the segment swings it."""
-        return {**self.state.doors, **{name: float(_between(angles, at)) for name, angles in swings(segment).items()}}
+        return {**self.state.doors, **{name: float(_between(angles, at)) for name, angles in segment.doors.items()}}
 
     def finish(self, segment: Segment) -> None:
         """Let `state` be the end of a motion, or of what the gripper did."""
@@ -134,11 +134,6 @@ class Replay:
 
     def _name(self, body: int) -> str:
         return self.world.body_names.get(body, "robot" if body in self.world.robot_bodies else "world")
-
-
-def swings(segment: Segment) -> dict[str, Array]:
-    """The angle of each door that the segment swings, at its waypoints: `(T,)` [rad]."""
-    return getattr(segment, "doors", None) or {}
 
 
 def _between(values: Array, at: float) -> Array:

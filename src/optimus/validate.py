@@ -14,7 +14,7 @@ from optimus.logic import OBSTRUCTS, Atom, Facts
 from optimus.motion.lines import distance
 from optimus.motion.plan import Plan, Segment, Step
 from optimus.predicates import PREDICATES, holds
-from optimus.replay import Replay, swings
+from optimus.replay import Replay
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between, interpolate
 from optimus.state import State
@@ -124,7 +124,7 @@ class _Check:
         dof, q = len(self.replay.world.arm_qpos), segment.q
         good = q.ndim == 2 and q.shape[1] == dof and len(q) == len(segment.poses) > 0 and bool(np.isfinite(q).all())
         good &= len(q) == 1 or not segment.gripper_action
-        good &= all(n in self.replay.world.door_qpos and len(angles) == len(q) for n, angles in swings(segment).items())
+        good &= all(n in self.replay.world.door_qpos and len(angles) == len(q) for n, angles in segment.doors.items())
         if not good:
             self._report("shape", detail=f"{segment.name}: q {q.shape} and {len(segment.poses)} poses")
         return bool(good)
