@@ -78,7 +78,7 @@ def shape_of(mesh: trimesh.Trimesh, facts: Facts) -> Shape:
     half = tuple(float(v) for v in mesh.extents / 2)
     half = (half[0], half[1], half[2])
     _require_size(half)
-    pieces = [Part("mesh", mesh=_mesh(piece)) for piece in convex_pieces(mesh)]
+    pieces = [Part("mesh", mesh=_mesh(piece)) for piece in convex_pieces(mesh, facts.symmetric)]
     return Shape(
         kind=facts.name,
         parts=tuple(pieces),

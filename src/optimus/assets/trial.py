@@ -21,7 +21,7 @@ REST_SECONDS, REST_SPEED, REST_TURN = 2.0, 0.01, 0.10
 CLOSE_SECONDS = 0.5
 SHAKE_SECONDS, SHAKE = 0.15, 4.0
 """Each jolt: how long [s] and how hard [m/s^2], in six directions, on top of gravity."""
-SLIP, TURN = 0.008, 0.15
+SLIP, TURN = 0.010, 0.20
 """A grasp holds if the thing moves less than this in the hand [m], and turns less than this [rad], after the fingers closed."""
 DRAG, TIP = 0.015, 0.20
 """... and while they close [m], [rad]."""
