@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from optimus.collect import CollectConfig, collect
+from optimus.control import CONTROLS
 from optimus.tasks import TASKS
 
 
@@ -35,6 +36,15 @@ def test_tasks_and_help() -> None:
     for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
+
+
+def test_help_names_the_ways_of_control() -> None:
+    assert "{" + ",".join(CONTROLS) + "}" in optimus("collect", "--help").stdout
+
+
+def test_help_loads_no_simulator_and_no_learner() -> None:
+    code = "import sys, optimus.cli; print(*(m for m in ('mujoco', 'torch', 'ompl') if m in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split() == []
 
 
 def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
