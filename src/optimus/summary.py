@@ -9,6 +9,7 @@ from typing import Any
 
 from optimus.bench import spread
 from optimus.data.curate import Curation
+from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.evaluate import FilmedEpisode, wilson
 from optimus.learn import checkpoint, metrics
@@ -36,7 +37,7 @@ def summarise(record: RunRecord) -> ReportData:
     return ReportData(
         title=f"{task.name}: from the task to a policy in {asked['minutes']:g} minutes",
         task=task.name,
-        command=f"optimus run {task.name} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}",
+        command=_command(asked),
         description=f"The task: {task.summary}. The policy sees {' and '.join(record.store.cameras)}, no object's position.",
         config={**asked, "collection": record.store.config, "policy": trained["policy"], "training": trained["train"]},
         versions=record.journal["versions"],
@@ -47,6 +48,13 @@ def summarise(record: RunRecord) -> ReportData:
         seconds=record.journal["seconds"],
         films=[Film(f.caption, f.strip, f.video, f.success) for f in record.films],
     )
+
+
+def _command(asked: dict[str, Any]) -> str:
+    """What to type for such a run; a robot that a file describes by its name alone."""
+    words = f"optimus run {asked['task']} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}"
+    usual = {"control": OSC, "robot": TASKS_OWN}
+    return words + "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
 
 
 def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import Json, TaskName, Workers
+from optimus.cli.options import ControlName, Json, RobotName, TaskName, Workers, chosen_robot
 from optimus.cli.output import StageBars, rate, say
 
 
@@ -17,11 +17,15 @@ def run(
     seed: int = 0,
     workers: Workers = 0,
     corrections: bool = True,
+    control: ControlName = "osc",
+    robot: RobotName = None,
     json: Json = False,
 ) -> None:
     """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.
 
-    Try: optimus run pick-place --minutes 20 --out runs/pick-place
+    Try:
+        optimus run pick-place --minutes 20 --out runs/pick-place
+        optimus run stack --minutes 30 --out runs/ur5e --robot ur5e --control joint
 
     Args:
         out: the folder for everything; `report.html` in it is what to look at
@@ -34,7 +38,9 @@ def run(
     from optimus.run import RunConfig
     from optimus.run import run as run_all
 
+    arm = chosen_robot(robot)
+    config = RunConfig(task, out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
     bars = StageBars()
-    result = run_all(RunConfig(task, out, minutes, demonstrations, episodes, seed, workers, corrections), bars)
+    result = run_all(config, bars)
     bars.close()
     say(result, json, f"{rate(result['evaluation'])}\n{result['report']}")

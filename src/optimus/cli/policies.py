@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from optimus.cli.options import Dataset, Json, RunFolder, Workers
+from optimus.cli.options import Dataset, Json, RobotName, RunFolder, Workers, chosen_robot
 from optimus.cli.output import bar, counter, rate, say
 
 if TYPE_CHECKING:
@@ -85,6 +85,7 @@ def evaluate(
     component: Literal["sampled", "likeliest", "paper"] = "sampled",
     task: str | None = None,
     videos: Path | None = None,
+    robot: RobotName = None,
     json: Json = False,
 ) -> None:
     """Measure a policy's success: k of n, with its 95 % interval and the causes of failure.
@@ -104,25 +105,27 @@ def evaluate(
     """
     from optimus.data.atomic import write_json
     from optimus.evaluate import evaluate as run_evaluate
-    from optimus.evaluate import film_outcomes
+    from optimus.evaluate import film_outcomes, trained_robot
     from optimus.learn import checkpoint
 
     trained_for = checkpoint.load(run, task).inputs.task
-    starts = _starts(states, dataset, episodes, seed)
+    arm = trained_robot(run, chosen_robot(robot))
+    starts = _starts(run, states, dataset, episodes, seed)
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
-        report = run_evaluate(run, starts, states, seed, workers, component, counter(shown)).as_dict()
+        report = run_evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
     if videos is not None:
-        film_outcomes(run, starts, report, seed, component, videos)
+        film_outcomes(run, starts, report, seed, component, videos, arm)
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
 
 
-def _starts(states: str, dataset: Path | None, episodes: int, seed: int) -> list[Start]:
+def _starts(run: Path, states: str, dataset: Path | None, episodes: int, seed: int) -> list[Start]:
     from optimus.errors import CheckpointError
-    from optimus.evaluate import random_starts, validation_starts
+    from optimus.evaluate import random_starts, require_same_problems, validation_starts
 
     if states == "random":
         return random_starts(episodes, seed)
     if dataset is None:
         raise CheckpointError("--states validation needs --dataset DIR (or use --states random)")
+    require_same_problems(run, dataset)
     return validation_starts(dataset, episodes)
