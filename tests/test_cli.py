@@ -76,8 +76,9 @@ def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
 
 def test_bench_expert_has_its_keys() -> None:
     result = result_of("bench", "expert", "stack", "--episodes", "3", "--seed", "77")
-    keys = "task control episodes successes paper_rule_successes plan_seconds episode_steps tracking_error_mm failures"
-    assert set(keys.split()) <= set(result)
+    keys = "task control episodes successes interval paper_rule_successes plan_seconds episode_steps tracking_error_mm"
+    assert {*keys.split(), "branches", "retries", "retried_seeds", "failures", "failed_seeds"} <= set(result)
+    assert "planning_shares" not in result
     assert "invalid_plans" not in result
     assert result["successes"] == 3 and set(result["plan_seconds"]) == {"median", "p95", "max"}
 
@@ -88,6 +89,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
     assert result_of("collect", "stack", "--episodes", "1", "--workers", "1", "--check", "--out", str(tmp_path / "d"))["new"] == 1
     assert "--plan" in refused("show", "stack", "--check")
     assert "expert" in refused("bench", "step", "stack", "--check")
+    assert "expert" in refused("bench", "step", "stack", "--where")
 
 
 def test_bench_collect_render_step_and_action() -> None:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Callable, Sequence
-from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +25,9 @@ from optimus.robots.catalogue import known_robots
 from optimus.robots.catalogue import robot as robot_named
 from optimus.rollout import rollout
 from optimus.show import Film, png
+from optimus.statistics import wilson
 from optimus.tasks import task as task_named
-from optimus.workers import available_cores, executor
+from optimus.workers import finished
 
 RANDOM_SEEDS_FROM = 10_000_000
 """Seeds of random initial states start here, far from those of any dataset."""
@@ -75,16 +74,6 @@ class EvalReport:
             "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),
             "outcomes": [asdict(o) for o in self.outcomes],
         }
-
-
-def wilson(successes: int, episodes: int, z: float = 1.96) -> tuple[float, float]:
-    """The Wilson score interval of a proportion, 95 % for the default `z` (Wilson 1927)."""
-    if episodes == 0:
-        return (0.0, 1.0)
-    p, n = successes / episodes, episodes
-    centre = (p + z * z / (2 * n)) / (1 + z * z / n)
-    half = z / (1 + z * z / n) * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
-    return (max(0.0, centre - half), min(1.0, centre + half))
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,11 +207,10 @@ def evaluate(
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
     outcomes: dict[int, Outcome] = {}
-    with executor(min(workers or available_cores(), len(starts))) as pool:
-        futures = {pool.submit(_evaluate_one, run, s, seed + i, component, robot): i for i, s in enumerate(starts)}
-        for future in as_completed(futures):
-            outcomes[futures[future]] = future.result()
-            progress(len(outcomes), sum(o.success for o in outcomes.values()))
+    jobs = [partial(_evaluate_one, run, start, seed + i, component, robot) for i, start in enumerate(starts)]
+    for i, outcome in finished(jobs, workers):
+        outcomes[i] = outcome
+        progress(len(outcomes), sum(o.success for o in outcomes.values()))
     return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))))
 
 

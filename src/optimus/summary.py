@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from optimus.bench import spread
 from optimus.data.curate import Curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
-from optimus.evaluate import FilmedEpisode, wilson
+from optimus.evaluate import FilmedEpisode
 from optimus.learn import checkpoint, metrics
 from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData
+from optimus.statistics import quantiles, wilson
 from optimus.tasks import task as task_named
 
 
@@ -67,7 +67,7 @@ def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:
         successes=len(headers),
         paper_rule_successes=sum(bool(i.get("paper_success")) for i in infos),
         interval=wilson(len(headers), attempts),
-        plan_seconds=spread(plan_seconds),
+        plan_seconds=quantiles(plan_seconds, 95),
         failures=dict(Counter(f["reason"] for f in failed)),
     )
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from tyro.conf import Positional, arg
 
 from optimus.cli.options import ControlName, FirstSeed, Json, RobotName, TaskName, Workers, chosen_robot
-from optimus.cli.output import bar, counter, say
+from optimus.cli.output import bar, counter, say, table
 from optimus.errors import OptimusError
 
 
@@ -18,6 +18,7 @@ def bench(
     seed: FirstSeed = 0,
     workers: Workers = 1,
     check: bool = False,
+    where: bool = False,
     control: ControlName = "osc",
     robot: RobotName = None,
     json: Json = False,
@@ -26,17 +27,20 @@ def bench(
 
     Try:
         optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
+        optimus bench expert microwave-adapt --episodes 10 --workers 2 --where
         optimus bench collect stack --episodes 40 --workers 2 --json
 
     Args:
         episodes: how many to run (frames or actions, for render and action)
         check: with expert: validate every plan independently, and count the invalid ones as failures
+        where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """
     from optimus.bench import BENCHES, BenchConfig
 
-    if check and what != "expert":
-        raise OptimusError("--check is for plans: it goes with `bench expert` alone")
+    for name, asked in (("check", check), ("where", where)):
+        if asked and what != "expert":
+            raise OptimusError(f"--{name} is for plans: it goes with `bench expert` alone")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        config = BenchConfig(task, episodes, seed, workers, control, chosen_robot(robot), check)
+        config = BenchConfig(task, episodes, seed, workers, control, chosen_robot(robot), check, where)
         result = BENCHES[what](config, counter(shown))
-    say(result, json, "\n".join(f"{key:<24} {value}" for key, value in result.items()))
+    say(result, json, table(result))

@@ -19,9 +19,41 @@ def say(result: dict[str, Any], json: bool, text: str) -> None:
 def rate(report: dict[str, Any]) -> str:
     """`45 of 50 (79 to 96 %)`, and over how few initial states where some came twice."""
     low, high = report["interval"]
-    few = report["distinct_states"] < report["episodes"]
-    repeated = f", from {report['distinct_states']} distinct initial states" if few else ""
+    states = report.get("distinct_states", report["episodes"])
+    repeated = f", from {states} distinct initial states" if states < report["episodes"] else ""
     return f"{report['successes']} of {report['episodes']} ({100 * low:.0f} to {100 * high:.0f} %{repeated})"
+
+
+def table(result: dict[str, Any]) -> str:
+    """A measurement for people: a line a quantity; parts, branches and single episodes indented below what they belong to."""
+    if "interval" in result:
+        result = {**result, "successes": rate(result)}
+        del result["interval"], result["episodes"]
+    lines = []
+    for key, value in result.items():
+        rows = _rows(value)
+        lines.append(f"{key:<24} {'' if rows else _text(value)}".rstrip())
+        lines += [f"  {name:<22} {_text(part)}" for name, part in rows.items()]
+    return "\n".join(lines)
+
+
+def _rows(value: Any) -> dict[str, Any]:
+    """What stands below its own heading, line by line: parts that have parts, and lists of episodes."""
+    if isinstance(value, list):
+        return {f"seed {row['seed']}": {k: v for k, v in row.items() if k != "seed"} for row in value}
+    nested = isinstance(value, dict) and any(isinstance(part, dict) for part in value.values())
+    return value if nested else {}
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, dict) and "interval" in value:
+        rest = {k: v for k, v in value.items() if k not in ("successes", "episodes", "interval")}
+        return ", ".join([rate(value), *(f"{k} {_text(v)}" for k, v in rest.items())])
+    if isinstance(value, dict):
+        return ", ".join(f"{k} {_text(v)}" for k, v in value.items() if v != "") or "none"
+    if isinstance(value, list):
+        return "; ".join(map(_text, value)) or "none"
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _new_bar(total: int | None, what: str, unit: str) -> Any:
