@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from tyro.conf import arg
 
 from optimus.cli.options import Dataset, Json, RobotName, RunFolder, Workers, chosen_robot
 from optimus.cli.output import bar, counter, rate, say
@@ -13,6 +15,9 @@ if TYPE_CHECKING:
 
     from optimus.evaluate import Start
     from optimus.learn.train import Progress
+
+Episodes = Annotated[int, arg(help="how many to play")]
+ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy that was trained for another task")]
 
 
 def train(
@@ -78,12 +83,12 @@ def _curate_if_needed(dataset: Path) -> None:
 def evaluate(
     run: RunFolder,
     dataset: Path | None = None,
-    episodes: int = 50,
+    episodes: Episodes = 50,
     states: Literal["validation", "random"] = "validation",
     seed: int = 0,
     workers: Workers = 0,
     component: Literal["sampled", "likeliest", "paper"] = "sampled",
-    task: str | None = None,
+    task: ExpectedTask = None,
     videos: Path | None = None,
     robot: RobotName = None,
     json: Json = False,
@@ -96,26 +101,23 @@ def evaluate(
 
     Args:
         dataset: whose validation states to start from; needed for --states validation
-        episodes: how many to play
         states: start from the validation demonstrations' states, or from fresh random ones
         seed: of the policy's draws, and of random states
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
-        task: refuse a policy that was trained for another task
         videos: write short films of successes and failures to this folder
     """
+    from optimus import evaluate as evaluation
     from optimus.data.atomic import write_json
-    from optimus.evaluate import evaluate as run_evaluate
-    from optimus.evaluate import film_outcomes, trained_robot
     from optimus.learn import checkpoint
 
     trained_for = checkpoint.load(run, task).inputs.task
-    arm = trained_robot(run, chosen_robot(robot))
+    arm = evaluation.trained_robot(run, chosen_robot(robot))
     starts = _starts(run, states, dataset, episodes, seed)
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
-        report = run_evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
+        report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
     if videos is not None:
-        film_outcomes(run, starts, report, seed, component, videos, arm)
+        evaluation.film_outcomes(run, starts, report, seed, component, videos, arm)
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
 
 
