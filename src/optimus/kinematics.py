@@ -9,13 +9,18 @@ import frankik
 import mujoco
 import numpy as np
 
-from optimus.se3 import Array, Pose, error_between
+from optimus.se3 import Array, Pose
 from optimus.world import World
 
 POSITION_TOLERANCE = 2e-4
 """[m]"""
 ROTATION_TOLERANCE = 2e-3
 """[rad]"""
+DAMPING = 1e-5 * np.eye(6)
+NULL_SPACE_GAIN = 0.05
+"""Of the way home, in each step of the descent."""
+LONGEST_STEP = 0.3
+"""Of a joint in each step of the descent [rad]."""
 DIFFERENT = 0.05
 """Configurations further apart than this in some joint are different ways [rad]."""
 
@@ -35,8 +40,8 @@ class Kinematics:
         self.home = world.home
         self.low, self.high = world.arm_range[:, 0] + 0.02, world.arm_range[:, 1] - 0.02
         self._data = mujoco.MjData(world.model)
-        self._jacp = np.zeros((3, world.model.nv))
-        self._jacr = np.zeros((3, world.model.nv))
+        self._jac = np.zeros((6, world.model.nv))
+        self._error, self._turn, self._solved = np.zeros(6), np.zeros(4), np.zeros(6)
         self._ways: Ways = PandaWays(self) if world.scene.robot.ik == "panda" else NumericWays(self)
 
     def fk(self, q: Array) -> Pose:
@@ -49,24 +54,38 @@ class Kinematics:
         """The tcp's Jacobian `(6, dof)` [m/rad; rad/rad], base frame, at the configuration of the last `fk`."""
         model, data = self.world.model, self._data
         mujoco.mj_comPos(model, data)
-        mujoco.mj_jacSite(model, data, self._jacp, self._jacr, self.world.tcp_site)
-        return np.vstack([self._jacp[:, self.world.arm_dof], self._jacr[:, self.world.arm_dof]])
+        mujoco.mj_jacSite(model, data, self._jac[:3], self._jac[3:], self.world.tcp_site)
+        return self._jac[:, self.world.arm_dof]
 
     def within_limits(self, q: Array) -> bool:
-        return bool(np.all(q >= self.low) and np.all(q <= self.high))
+        return bool((q >= self.low).all() and (q <= self.high).all())
+
+    def _missing(self, q: Array, target: Pose) -> Array:
+        """`error_between(target, fk(q))`, by MuJoCo's own quaternions: it is the inner loop of planning."""
+        data, site, error, turn = self._data, self.world.tcp_site, self._error, self._turn
+        data.qpos[self.world.arm_qpos] = q
+        mujoco.mj_kinematics(self.world.model, data)
+        mujoco.mju_mat2Quat(turn, data.site_xmat[site])
+        mujoco.mju_negQuat(turn, turn)
+        mujoco.mju_mulQuat(turn, target.quat, turn)
+        mujoco.mju_quat2Vel(error[3:], turn, 1.0)
+        error[:3] = target.pos - data.site_xpos[site]
+        return error
 
     def refine(self, q: Array, target: Pose, iterations: int = 12) -> Array | None:
         """The solution near `q`: damped least squares, drawn towards home in the null space; None if it does not converge."""
         q = q.copy()
         for _ in range(iterations):
-            error = error_between(target, self.fk(q))
-            if np.linalg.norm(error[:3]) < POSITION_TOLERANCE and np.linalg.norm(error[3:]) < ROTATION_TOLERANCE:
+            error = self._missing(q, target)
+            moved, turned = error[:3], error[3:]
+            if moved @ moved < POSITION_TOLERANCE**2 and turned @ turned < ROTATION_TOLERANCE**2:
                 return q if self.within_limits(q) else None
-            jac = self.jacobian()
-            gain = jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(6))
-            relax = self.home - q
-            step = gain @ error + 0.05 * (relax - gain @ (jac @ relax))
-            q = q + np.clip(step, -0.3, 0.3)
+            jac, relax = self.jacobian(), NULL_SPACE_GAIN * (self.home - q)
+            # the damped least-squares step towards the target, and what of `relax` does not move the tcp
+            squared = jac @ jac.T + DAMPING
+            mujoco.mju_cholFactor(squared, 0.0)
+            mujoco.mju_cholSolve(self._solved, squared, error - jac @ relax)
+            q += np.maximum(np.minimum(jac.T @ self._solved + relax, LONGEST_STEP), -LONGEST_STEP)
         return None
 
     def ways(self, target: Pose, near: Array) -> list[Array]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from optimus.objects.shapes import Shape
+from optimus.objects.shapes import Mesh, Shape
 from optimus.robots.model import robot_spec, root_body
 from optimus.scene import Door, Scene
 from optimus.se3 import look_at
@@ -17,27 +17,52 @@ ROBOT_PREFIX = "robot/"
 """Before every name of the robot's model."""
 BAR_SUFFIX = "/bar"
 """After a door's name: the geom of its bar."""
+SEEN_GROUP, HIDDEN_GROUP = 2, 3
+"""MuJoCo draws geoms of groups 0 to 2."""
 
 
-def _add_shape(body: mujoco.MjsBody, shape: Shape) -> None:
-    kinds = {
-        "box": mujoco.mjtGeom.mjGEOM_BOX,
-        "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
-        "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
-    }
+KINDS = {
+    "box": mujoco.mjtGeom.mjGEOM_BOX,
+    "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
+    "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
+    "mesh": mujoco.mjtGeom.mjGEOM_MESH,
+}
+
+
+def add_shape(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> None:
+    """Give `body` the parts of a shape: what touches, what is seen, what it weighs."""
     for part in shape.parts:
         size = np.zeros(3)
         size[: len(part.size)] = part.size
-        geom = body.add_geom(type=kinds[part.kind], size=size, pos=part.pos, quat=part.quat, rgba=shape.rgba)
+        geom = body.add_geom(type=KINDS[part.kind], size=size, pos=part.pos, quat=part.quat, rgba=shape.rgba)
         # stiff, high-friction contacts: softer ones let a stack creep (docs/architecture.md, "Physics")
         geom.condim = 4
-        geom.friction = [1.0, 0.02, 0.0005]
+        geom.friction = [shape.friction, 0.02, 0.0005]
         geom.solref = [0.01, 1.0]
         geom.solimp = [0.95, 0.99, 0.001, 0.5, 2.0]
         geom.mass = shape.mass / len(shape.parts)
+        if part.mesh is not None:
+            geom.meshname = _mesh(spec, part.mesh)
+        if shape.look is not None:
+            geom.group = HIDDEN_GROUP
+    if shape.look is not None:
+        seen = body.add_geom(type=KINDS["mesh"], meshname=_mesh(spec, shape.look), rgba=shape.rgba, group=SEEN_GROUP)
+        seen.contype, seen.conaffinity, seen.mass = 0, 0, 0.0
+    if shape.inertia is not None:
+        body.explicitinertial = True
+        body.mass, body.ipos, body.iquat, body.inertia = shape.mass, shape.inertia.com, shape.inertia.quat, shape.inertia.moments
 
 
-def _add_door(root: mujoco.MjsBody, door: Door) -> None:
+def _mesh(spec: mujoco.MjSpec, mesh: Mesh) -> str:
+    """The name of a mesh, which is added once however many bodies have it."""
+    name = f"mesh{id(mesh):x}"
+    if all(known.name != name for known in spec.meshes):
+        added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel().tolist(), userface=mesh.faces.ravel().tolist())
+        added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX  # small hulls are too thin for the exact one
+    return name
+
+
+def _add_door(spec: mujoco.MjSpec, root: mujoco.MjsBody, door: Door) -> None:
     body = root.add_body(name=door.name, pos=door.hinge)
     hinge = body.add_joint(name=door.name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0.0, 0.0, door.turns])
     hinge.limited = mujoco.mjtLimited.mjLIMITED_TRUE
@@ -45,7 +70,7 @@ def _add_door(root: mujoco.MjsBody, door: Door) -> None:
     # it stays where it is left
     hinge.damping = np.array([0.5, 0.0, 0.0])
     hinge.frictionloss = 0.2
-    _add_shape(body, door.shape)
+    add_shape(spec, body, door.shape)
     cylinder, bar = mujoco.mjtGeom.mjGEOM_CYLINDER, door.bar
     body.add_geom(
         name=door.name + BAR_SUFFIX,
@@ -62,7 +87,7 @@ def _add_door(root: mujoco.MjsBody, door: Door) -> None:
 def world_spec(scene: Scene) -> mujoco.MjSpec:
     """The scene with its robot attached, ready to compile."""
     spec = mujoco.MjSpec()
-    _set_physics(spec)
+    physics(spec)
     _set_picture(spec)
     _add_backdrop(spec)
     _add_things(spec, scene)
@@ -74,7 +99,8 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
     return spec
 
 
-def _set_physics(spec: mujoco.MjSpec) -> None:
+def physics(spec: mujoco.MjSpec) -> None:
+    """How all worlds are simulated."""
     spec.compiler.degree = False
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.timestep = PHYSICS_DT
@@ -119,13 +145,13 @@ def _add_things(spec: mujoco.MjSpec, scene: Scene) -> None:
     root = spec.worldbody
     for fixture in scene.fixtures:
         body = root.add_body(name=fixture.name, pos=fixture.pose.pos, quat=fixture.pose.quat)
-        _add_shape(body, fixture.shape)
+        add_shape(spec, body, fixture.shape)
     for i, movable in enumerate(scene.movables):
         body = root.add_body(name=movable.name, pos=[0.5 + i, 3.0, 0.5])
         body.add_freejoint(name=movable.name)
-        _add_shape(body, movable.shape)
+        add_shape(spec, body, movable.shape)
     for door in scene.doors:
-        _add_door(root, door)
+        _add_door(spec, root, door)
         for fixture in scene.fixtures:
             if fixture.door == door.name:  # it hangs on the box that it shuts
                 spec.add_exclude(bodyname1=door.name, bodyname2=fixture.name)
