@@ -28,7 +28,7 @@ print(json.dumps(digests))
 """
 
 PROBLEMS = [("stack-three", 5), ("pick-place-two", 6), ("stack-adapt", 7), ("microwave-adapt", 7002)]
-"""In the last one something stands before the door, and the sampling planner is called eleven times."""
+"""In the last one something stands before the door, and the sampling planner is called."""
 
 
 def test_the_same_seed_gives_the_same_plan_in_another_process() -> None:
