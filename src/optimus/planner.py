@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -43,14 +43,27 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
+    aim: Operator | None = None
+    """What the culprit was to pick its thing up for, if no way to hold it would have done for that."""
+    trying: Operator | None = None
+    """What it was at when it ran out of time."""
+    vain: dict[Hashable, Counter[str]] = field(default_factory=dict)
+    """Pick-ups known to be for nothing, and what was in the way of what they were for."""
 
     def bind(self, skeleton: Skeleton, state: State, depth: int = 0) -> tuple[Step, ...] | None:
         """The steps that carry `skeleton` out from `state`, or None."""
         if not skeleton:
             return ()
         operator = skeleton[0]
+        aim = _aim(operator, skeleton[1:])
+        self.trying = aim or operator
+        case = (operator, aim, _surroundings(self.workspace, state, operator.args[0]))
+        if case in self.vain:
+            self._remember(operator, depth, self.vain[case], aim)
+            return None
         self.workspace.failures.clear()
-        self.workspace.purpose = self._purpose(operator, skeleton[1:])
+        answers: list[bool] = []
+        self.workspace.purpose = None if aim is None else self._purpose(aim, answers)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
             rest = None
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
@@ -60,26 +73,47 @@ class _Binding:
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        self._remember(operator, depth)
+        blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
+        if in_vain:
+            self.vain[case] = blame
+        self._remember(operator, depth, blame, aim if in_vain else None)
         return None
 
-    def _purpose(self, operator: Operator, rest: Skeleton) -> Purpose | None:
-        """What comes next of the thing that `operator` picks up."""
-        following = next((o for o in rest if o.args[:1] == operator.args[:1]), None)
-        skill = SKILLS[following.skill] if following else None
-        if operator.skill != Pick.name or following is None or not isinstance(skill, Place):
-            return None
-        args, rng = following.args, np.random.default_rng(0)
-        return Purpose(args[1], lambda state: skill.possible(self.workspace, state, args, rng))
+    def _purpose(self, aim: Operator, answers: list[bool]) -> Purpose:
+        """What a thing is picked up for; every answer to whether that could be done is noted."""
+        skill, rng = SKILLS[aim.skill], np.random.default_rng(0)
+        assert isinstance(skill, Place)
+
+        def possible(state: State) -> bool:
+            answers.append(skill.possible(self.workspace, state, aim.args, rng))
+            return answers[-1]
+
+        return Purpose(aim.args[1], possible)
 
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _remember(self, operator: Operator, depth: int) -> None:
+    def _blame(self, operator: Operator) -> Counter[str]:
+        names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
+        return Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+
+    def _remember(self, operator: Operator, depth: int, blame: Counter[str], aim: Operator | None) -> None:
         if depth > self.deepest:
-            self.deepest, self.culprit = depth, operator
-            names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
-            self.blame = Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+            self.deepest, self.culprit, self.blame, self.aim = depth, operator, blame, aim
+
+
+def _aim(operator: Operator, rest: Skeleton) -> Operator | None:
+    """Where the thing that `operator` picks up is put down next."""
+    following = next((o for o in rest if o.args[:1] == operator.args[:1]), None)
+    puts = following is not None and isinstance(SKILLS[following.skill], Place)
+    return following if operator.skill == Pick.name and puts else None
+
+
+def _surroundings(workspace: Workspace, state: State, thing: str) -> Hashable:
+    """All that decides whether some way of holding `thing` does for what comes next, wherever it stands now on the same support."""
+    others = [(name, pose.pos.tobytes(), pose.quat.tobytes()) for name, pose in sorted(state.poses.items()) if name != thing]
+    roofed = thing in state.poses and workspace.scene.is_roofed(state.poses[thing].pos, 0.0)
+    return tuple(others), tuple(sorted(state.doors.items())), roofed
 
 
 def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
@@ -104,16 +138,17 @@ def solve(
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
+    vain: dict[Hashable, Counter[str]] = {}
     for tried in range(budget.skeletons):
         operators = with_unblocking(ground_operators, learned)
         skeleton = _next(skeletons(facts | learned, goal, operators), failed)
         if skeleton is None:
             return last
-        binding = _Binding(workspace, rng, budget)
+        binding = _Binding(workspace, rng, budget, vain=vain)
         try:
             steps = binding.bind(skeleton, state)
         except OutOfTime:
-            return _explain(binding) if binding.culprit else last
+            return _explain(binding) if binding.culprit or tried == 0 else last
         if steps is not None:
             stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
@@ -136,10 +171,13 @@ def _lesson(binding: _Binding, workspace: Workspace) -> Facts:
 
 
 def _explain(binding: _Binding) -> Infeasible:
-    if binding.culprit is None:
-        return Infeasible("planning time spent")
-    o = binding.culprit
+    o = binding.aim or binding.culprit
+    if o is None:
+        o = binding.trying
+        return Infeasible("planning time spent", o.skill, o.args) if o else Infeasible("planning time spent")
     blockers = tuple(name for name, _ in binding.blame.most_common())
-    reason = "out of reach" if blockers and REACH.issuperset(blockers) else "no collision-free way" if blockers else "no room"
+    reason = "no room" if binding.aim or not blockers else "no collision-free way"
+    if blockers and REACH.issuperset(blockers):
+        reason = "out of reach"
     return Infeasible(reason, o.skill, o.args, blockers)
 
