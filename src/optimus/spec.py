@@ -55,7 +55,7 @@ def add_shape(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> None:
 
 def _mesh(spec: mujoco.MjSpec, mesh: Mesh) -> str:
     """The name of a mesh, which is added once however many bodies have it."""
-    name = f"mesh{id(mesh):x}"
+    name = f"mesh-{mesh.digest}"
     if all(known.name != name for known in spec.meshes):
         added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel().tolist(), userface=mesh.faces.ravel().tolist())
         added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX  # small hulls are too thin for the exact one

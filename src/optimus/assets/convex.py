@@ -15,6 +15,8 @@ CONCAVITY, MOST = 0.05, 32
 """CoaCD's threshold, and the most pieces it may make."""
 ITERATIONS, RESOLUTION, COARSE = 60, 1000, 400
 """Of its search, of its samples, and the faces that it is given: a fifth of the time of its own settings, for pieces as close."""
+FOOT = 0.0015
+"""What is nearer to the ground than this stands on it [m]."""
 SECTORS = 12
 """Of a body of revolution: its walls are then at most 3.4 % of the radius from round."""
 LEAST_VOLUME = 1e-9
@@ -26,7 +28,7 @@ def convex_pieces(mesh: trimesh.Trimesh, symmetric: bool = False) -> list[trimes
     `symmetric`: a body of revolution about z."""
     if mesh.volume > CONVEX * mesh.convex_hull.volume:
         return [mesh.convex_hull]
-    return _turned(mesh) if symmetric else _decomposed(mesh, "off")
+    return _turned(mesh) if symmetric else _footed(_decomposed(mesh, "off"), float(mesh.bounds[0, 2]))
 
 
 def union_of_pieces(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
@@ -74,8 +76,18 @@ def _is_solid(points: np.ndarray) -> bool:
     return len(points) >= 4 and np.linalg.matrix_rank(points - points.mean(axis=0), tol=1e-6) == 3
 
 
+def _footed(pieces: list[trimesh.Trimesh], low: float) -> list[trimesh.Trimesh]:
+    """The pieces with what is nearly on the ground put there: a thing shall not rock on feet of uneven length."""
+    feet = []
+    for piece in pieces:
+        points = piece.vertices.copy()
+        points[points[:, 2] < low + FOOT, 2] = low
+        feet.append(trimesh.convex.convex_hull(points))
+    return feet
+
+
 def _turned(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
-    """Pieces of a body of revolution about z: those of one sector, all the way around, so that its yaw means nothing in physics either."""
+    """Pieces of a body of revolution about z: those of one sector, all the way around. Its yaw means nothing in physics either."""
     sector = trimesh.boolean.intersection([mesh, _wedge(np.pi / SECTORS, 2 * float(np.abs(mesh.bounds).max()))])
     pieces = [sector.convex_hull] if sector.volume > CONVEX * sector.convex_hull.volume else _decomposed(sector, "off")
     turns = [trimesh.transformations.rotation_matrix(2 * np.pi * k / SECTORS, [0, 0, 1]) for k in range(SECTORS)]
@@ -85,4 +97,5 @@ def _turned(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
 def _wedge(half: float, size: float) -> trimesh.Trimesh:
     """What lies within `half` [rad] of the half-plane of positive x, out to `size` [m]."""
     x, y = size, size * float(np.tan(half))
-    return trimesh.convex.convex_hull([(0, 0, -size), (x, y, -size), (x, -y, -size), (0, 0, size), (x, y, size), (x, -y, size)])
+    outline = ((0.0, 0.0), (x, y), (x, -y))
+    return trimesh.convex.convex_hull(np.array([(*point, z) for point in outline for z in (-size, size)]))

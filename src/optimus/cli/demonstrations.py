@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from optimus.cli.options import ControlName, Dataset, FirstSeed, Json, RobotName, TaskName, Workers, chosen_robot
+from optimus.cli.options import ControlName, Dataset, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
 from optimus.cli.output import bar, counter, say
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ def collect(
     policy: Path | None = None,
     control: ControlName = "osc",
     robot: RobotName = None,
+    objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
     """Collect demonstrations by the expert into a folder; a second call goes on where the first was stopped.
@@ -46,7 +47,8 @@ def collect(
     from optimus.correct import Turns
 
     expert, turns = _expert(perturb, stall, check), Turns(policy) if policy else None
-    config = CollectConfig(task, out, episodes, seed, workers, expert, turns, control=control, robot=chosen_robot(robot))
+    arm = chosen_robot(robot)
+    config = CollectConfig(over(task, objects), out, episodes, seed, workers, expert, turns, control=control, robot=arm)
     with bar(episodes, f"collect {task}", "demo") as shown:
         result = run_collect(config, lambda done: counter(shown)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"

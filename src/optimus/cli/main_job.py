@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import ControlName, Json, RobotName, TaskName, Workers, chosen_robot
+from optimus.cli.options import ControlName, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
 from optimus.cli.output import StageBars, rate, say
 
 
@@ -19,6 +19,7 @@ def run(
     corrections: bool = True,
     control: ControlName = "osc",
     robot: RobotName = None,
+    objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
     """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.
@@ -39,7 +40,7 @@ def run(
     from optimus.run import run as run_all
 
     arm = chosen_robot(robot)
-    config = RunConfig(task, out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
+    config = RunConfig(over(task, objects), out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
     bars = StageBars()
     result = run_all(config, bars)
     bars.close()

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from tyro.conf import Positional, arg
 
-from optimus.cli.options import ControlName, FirstSeed, Json, RobotName, TaskName, Workers, chosen_robot
+from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
 from optimus.cli.output import bar, counter, say, table
 from optimus.errors import OptimusError
 
@@ -21,6 +21,7 @@ def bench(
     where: bool = False,
     control: ControlName = "osc",
     robot: RobotName = None,
+    objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
@@ -41,6 +42,6 @@ def bench(
         if asked and what != "expert":
             raise OptimusError(f"--{name} is for plans: it goes with `bench expert` alone")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        config = BenchConfig(task, episodes, seed, workers, control, chosen_robot(robot), check, where)
+        config = BenchConfig(over(task, objects), episodes, seed, workers, control, chosen_robot(robot), check, where)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))

@@ -27,6 +27,16 @@ Workers = Annotated[int, arg(help="processes; 0 takes every core (no episode dep
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 
+ObjectsName = Annotated[
+    str | None, arg(metavar="19|72|unseen|NAME,NAME|FOLDER", help="what to do the task with; `optimus objects` lists them")
+]
+
+
+def over(task: str, objects: str | None) -> str:
+    """The task's name with its objects (see `optimus.tasks.task`)."""
+    return task if objects is None else f"{task}@{objects}"
+
+
 def chosen_robot(name: str | None) -> Robot | None:
     """The robot that takes the place of the task's own; None for that one."""
     from optimus.robots.catalogue import robot as robot_named

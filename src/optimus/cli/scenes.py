@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import Json, RobotName, TaskName, chosen_robot
+from optimus.cli.options import Json, ObjectsName, RobotName, TaskName, chosen_robot, over
 from optimus.cli.output import say
 from optimus.errors import OptimusError
 
@@ -31,6 +31,7 @@ def show(
     seed: int = 0,
     out: Path | None = None,
     robot: RobotName = None,
+    objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
     """Write a picture of a task's start, or with --plan of the expert's plan.
@@ -50,7 +51,7 @@ def show(
     from optimus.show import sentence, show_plan, show_scene
     from optimus.tasks import task as task_named
 
-    chosen = task_named(task)
+    chosen = task_named(over(task, objects))
     if check and not plan:
         raise OptimusError("--check is for plans: add --plan")
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
