@@ -20,7 +20,7 @@ Section = CrossSection
 Point = tuple[float, float]
 Point3 = tuple[float, float, float]
 
-FINENESS = 0.05
+FINENESS = 0.07
 """Triangles that the surface can do without, give or take this much, are merged away [mm]."""
 SEGMENTS = 36
 """Sides of a round thing."""
@@ -123,7 +123,7 @@ def ellipsoid(x: float, y: float, z: float, segments: int = SEGMENTS) -> Solid:
 
 def ring(radius: float, thickness: float) -> Solid:
     """A torus about z, its middle line in the plane z = 0."""
-    return Manifold.revolve(CrossSection.circle(thickness / 2, 16).translate((radius, 0.0)), SEGMENTS)
+    return Manifold.revolve(CrossSection.circle(thickness / 2, 12).translate((radius, 0.0)), SEGMENTS)
 
 
 # ---- bodies along a line ----

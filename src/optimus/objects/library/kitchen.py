@@ -42,6 +42,7 @@ from optimus.objects.solids import (
     ring,
     sweep,
     turn,
+    union,
     vessel,
 )
 
@@ -88,7 +89,7 @@ def casserole() -> Solid:
     """Oval, lidded, solid."""
     body = plate(rectangle(88, 62, 30), 40, 4) + move(plate(rectangle(92, 64, 31.5), 7, 2), z=36)
     lid = hull(move(plate(rectangle(84, 58, 28), 6, 2), z=40), move(plate(rectangle(40, 24, 11), 6, 2), z=50))
-    knob = lathe([(0, 0), *curve([(7, 0), (7, 10), (12, 18), (10, 25)]), (0, 27)])
+    knob = cylinder(10, 28, 12.5, 3)
     ear = box(16, 28, 8).translate((48, 0, 28))
     return body + lid + move(knob, z=54) + mirrored(ear, (1, 0, 0))
 
@@ -107,7 +108,7 @@ def hooped_teapot() -> Solid:
     body = lathe([(0, 0), (30, 0), (32, 6), (32, 46), (24, 56), (0, 56)], corner=2)
     lid = move(cylinder(19, 6), z=55) + move(cylinder(7, 8), z=60)
     spout = sweep([(28, 0, 20), (48, 0, 50)], 6.5) + sweep([(48, 0, 50), (56, 0, 53)], 5.5)
-    arch = sweep([(x, 0, 48 + 1.6 * z) for x, _, z in arc(27, 0, 180, 14)], ellipsoid(4, 6, 4, 12))
+    arch = sweep([(x, 0, 48 + 1.6 * z) for x, _, z in arc(27, 0, 180, 14)], box(8, 13, 8, 1.5))
     return body + lid + spout + arch
 
 
@@ -152,17 +153,19 @@ def round_basket() -> Solid:
     profile = [(0, 0), *curve([(26, 0), (38, 18), (42, 44)])]
     coils = [ring(r, 7).translate((0, 0, z)) for r, z in ((29, 4), (34, 11), (37.5, 19), (39.5, 27), (40.5, 35), (41, 43))]
     inside = lathe([(0, 6), *curve([(22, 6), (33, 20), (37, 60)]), (0, 60)])
-    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 18)], ellipsoid(4, 6, 4, 12))
+    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 16)], box(8, 14, 8, 1.5))
     return vessel(profile) + sum(coils, Solid()) - inside + handle
 
 
 def laundry_basket() -> Solid:
     """Slotted, with two holes to carry it by."""
-    body = _tub(72, 48, 76, 12, 1.25)
-    slot = move(box(7, 200, 44), z=14) + move(box(7, 200, 44), x=14, z=14) + move(box(7, 200, 44), x=-14, z=14)
-    ends = turn(slot, z=90) ^ box(200, 60, 100)
-    rim = move(plate(rectangle(94, 66, 17) - rectangle(78, 50, 10), 8, 2), z=68)
-    return body - slot - ends + rim
+    body = _tub(72, 48, 76, 12, 1.18)
+    slot = box(7, 200, 34).translate((0, 0, 12))
+    sides = union(*(move(slot, x=x) for x in (-28, -14, 0, 14, 28)))
+    ends = turn(union(*(move(slot, x=x) for x in (-13, 0, 13))), z=90)
+    holes = turn(box(26, 200, 12, 4), z=90).translate((0, 0, 54))
+    rim = move(plate(rectangle(90, 62, 16) - rectangle(74, 46, 9), 8, 2), z=68)
+    return body - sides - ends - holes + rim
 
 
 THINGS = (
