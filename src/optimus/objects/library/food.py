@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from optimus.objects.library.entry import GREEN, PAPER, PURPLE, RED, YELLOW, colour, entry
-from optimus.objects.solids import Solid, around, ball, circle, curve, ellipsoid, extrude, grounded, hull, lathe, move, polygon, sweep, turn, union
+from optimus.objects.solids import Solid, around, ball, curve, ellipsoid, extrude, grounded, hull, lathe, move, polygon, sweep, turn, union
 
 
-def _leaf(length: float, width: float) -> Solid:
+def _leaf(length: float, width: float, segments: int = 12) -> Solid:
     """Along +x from the origin."""
     tip = ball(2.2, 4).translate((length, 0, 0))
-    return hull(ball(2.2, 4), ellipsoid(0.3 * length, width / 2, 2.2, 8).translate((length / 2, 0, 0)), tip)
+    return hull(ball(2.2, 4), ellipsoid(0.3 * length, width / 2, 2.2, segments).translate((length / 2, 0, 0)), tip)
 
 
 def apple() -> Solid:
@@ -41,19 +41,18 @@ def banana() -> Solid:
 
 
 def pineapple() -> Solid:
-    """A body of diamonds under a tuft of leaves."""
-    notch = polygon([(27.6, 0), (40, 6), (40, -6)])
-    section = circle(35)
-    for k in range(9):
-        section -= notch.rotate(40 * k)
-    # grooves that wind one way and the other leave diamonds between them
-    diamonds = extrude(section, 76, 1.0, 110, 16) ^ extrude(section, 76, 1.0, -110, 16)
-    outside = lathe([(0, 0), *curve([(12, 0), (26, 14), (31, 36), (27, 58), (13, 74)]), (0, 75)])
-    body = (outside ^ diamonds) + lathe([(0, 0), *curve([(12, 0), (24, 14), (28.5, 36), (24, 58), (12, 74)]), (0, 75)])
+    """A body of scales under a tuft of leaves."""
+    body = ellipsoid(28, 28, 38).translate((0, 0, 36))
+    scale = extrude(polygon([(-7, 0), (0, -8), (7, 0), (0, 8)]), 3.0, 0.55)
+    for row in range(7):
+        z = 8 + 9.5 * row
+        radius = 28 * np.sqrt(1 - ((z - 36) / 38) ** 2)
+        lean = float(np.degrees(np.arctan2((z - 36) / 38**2, radius / 28**2)))
+        body += around(turn(scale, y=90 - lean).translate((radius - 0.8, 0, z)), 10).rotate((0, 0, 18 * (row % 2)))
     leaves = Solid()
     for count, length, tilt, phase in ((7, 34, 48, 0), (6, 42, 66, 25), (4, 48, 80, 10)):
-        leaves += around(turn(_leaf(length, 13), y=-tilt), count).rotate((0, 0, phase))
-    return grounded(body + ball(12, 16).translate((0, 0, 72)) + move(leaves, z=72), 1.0)
+        leaves += around(turn(_leaf(length, 13, 4), y=-tilt), count).rotate((0, 0, phase))
+    return grounded(body + ball(12, 16).translate((0, 0, 72)) + move(leaves, z=72), 3.5)
 
 
 def grapes() -> Solid:

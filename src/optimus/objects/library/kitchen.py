@@ -41,6 +41,7 @@ from optimus.objects.solids import (
     rectangle,
     ring,
     sweep,
+    taper,
     turn,
     union,
     vessel,
@@ -97,17 +98,16 @@ def casserole() -> Solid:
 def round_teapot() -> Solid:
     body = lathe([(0, 0), (22, 0), (22, 4), *curve([(25, 6), (32, 30), (28, 52), (16, 62)]), (0, 63)], corner=1.0)
     lid = lathe([(0, 58), (18, 58), (18, 63), *curve([(16, 65), (10, 69)]), (0, 71)]) + ball(7, 24).translate((0, 0, 75))
-    spout = sweep(curve([(24, 0, 22), (44, 0, 30), (48, 0, 50), (58, 0, 62)], 4), 5.5)
-    root = hull(ball(10, 16).translate((24, 0, 24)), ball(6, 16).translate((43, 0, 31)))
+    spout = taper(curve([(20, 0, 22), (40, 0, 30), (46, 0, 50), (57, 0, 63)], 4), 13, 4.5)
     handle = sweep([(-28 + 1.1 * x, 0, 34 + z) for x, _, z in arc(20, 75, 285, 14)], ellipsoid(4.5, 6, 4.5, 12))
-    return body + lid + spout + root + handle
+    return body + lid + spout + handle
 
 
 def hooped_teapot() -> Solid:
     """Low and straight, its handle an arch above."""
     body = lathe([(0, 0), (30, 0), (32, 6), (32, 46), (24, 56), (0, 56)], corner=2)
     lid = move(cylinder(19, 6), z=55) + move(cylinder(7, 8), z=60)
-    spout = sweep([(28, 0, 20), (48, 0, 50)], 6.5) + sweep([(48, 0, 50), (56, 0, 53)], 5.5)
+    spout = taper([(27, 0, 22), (48, 0, 48), (58, 0, 52)], 10, 5)
     arch = sweep([(x, 0, 48 + 1.6 * z) for x, _, z in arc(27, 0, 180, 14)], box(8, 13, 8, 1.5))
     return body + lid + spout + arch
 
@@ -151,7 +151,7 @@ def picnic_basket() -> Solid:
 def round_basket() -> Solid:
     """Coiled, with an arched handle."""
     profile = [(0, 0), *curve([(26, 0), (38, 18), (42, 44)])]
-    coils = [ring(r, 7).translate((0, 0, z)) for r, z in ((29, 4), (34, 11), (37.5, 19), (39.5, 27), (40.5, 35), (41, 43))]
+    coils = [ring(r, 7, 8).translate((0, 0, z)) for r, z in ((29, 4), (34, 11), (37.5, 19), (39.5, 27), (40.5, 35), (41, 43))]
     inside = lathe([(0, 6), *curve([(22, 6), (33, 20), (37, 60)]), (0, 60)])
     handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 16)], box(8, 14, 8, 1.5))
     return vessel(profile) + sum(coils, Solid()) - inside + handle

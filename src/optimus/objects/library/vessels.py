@@ -39,6 +39,7 @@ from optimus.objects.solids import (
     plate,
     rectangle,
     ring,
+    star,
     sweep,
     turn,
     vessel,
@@ -56,8 +57,8 @@ def twisted_vase() -> Solid:
 
 
 def amphora() -> Solid:
-    body = vessel([(0, 0), (24, 0), (24, 5), *curve([(15, 13), (27, 42), (34, 72), (25, 100), (14, 112), (14, 130), (21, 140)], 4)])
-    handle = sweep(curve([(15, 0, 128), (34, 0, 132), (42, 0, 112), (32, 0, 84)], 4), 4.5)
+    body = vessel([(0, 0), (24, 0), (24, 5), *curve([(15, 13), (27, 42), (34, 72), (25, 100), (14, 112), (14, 130), (21, 140)], 3)])
+    handle = sweep(curve([(15, 0, 128), (34, 0, 132), (42, 0, 112), (32, 0, 84)], 3), 4.5)
     return body + mirrored(handle, (1, 0, 0))
 
 
@@ -70,7 +71,7 @@ def soda_bottle() -> Solid:
     """Waisted, its lower half fluted, with a milled cap."""
     body = lathe([(0, 0), *curve([(25, 0), (30, 10), (30, 34), (25, 52), (29, 76), (27, 98), (13, 124), (12, 136)], 4), (0, 136)])
     flute = sweep(curve([(33, 0, 2), (34, 0, 24), (28.5, 0, 50)], 3), 5.0)
-    cap = cylinder(14.5, 16) - around(move(cylinder(1.5, 20, corner=0), x=15, z=-2), 16)
+    cap = extrude(star(20, 14.5, 13.3), 16)
     return body - around(flute, 8) + move(cylinder(16, 5), z=127) + move(cap, z=133)
 
 
@@ -97,9 +98,9 @@ def soda_can() -> Solid:
 
 def food_tin() -> Solid:
     """Ribbed, its lid half rolled back."""
-    ribs = [(r, 24 + 4 * k) for k in range(10) for r in ((31.5, 29)[k % 2],)]
-    body = lathe([(0, 0), (32.5, 0), (32.5, 5), (31, 7), (31, 20), *ribs, (31, 64), (31, 79), (32.5, 81), (32.5, 86), (0, 86)])
-    ring_pull = plate(circle(9) - circle(4.5), 5, 1.5)
+    ribs = curve([(31 - 2 * (k % 2), 18 + 5 * k) for k in range(11)], 4)
+    body = lathe([(0, 0), (32.5, 0), (32.5, 5), (31, 7), *ribs, (31, 79), (32.5, 81), (32.5, 86), (0, 86)])
+    ring_pull = move(ring(6.5, 5), z=2.5)
     return body - move(cylinder(28, 10), z=83) + move(ring_pull, x=14, z=82) + move(box(12, 8, 5), x=4, z=82)
 
 
@@ -113,7 +114,7 @@ def paint_can() -> Solid:
 
 def jam_jar() -> Solid:
     body = lathe([(0, 0), (31, 0), *curve([(31, 60), (30, 68), (25, 74)]), (25, 78), (0, 78)], corner=3)
-    lid = cylinder(28, 18) - around(move(cylinder(1.6, 30, corner=0), x=28.5, z=-2), 24)
+    lid = extrude(star(28, 28.5, 27.2), 16) + cylinder(26, 18)
     return body + move(lid, z=76)
 
 
