@@ -22,18 +22,20 @@ Point3 = tuple[float, float, float]
 
 FINENESS = (0.05, 0.1, 0.15, 0.2, 0.25)
 """Triangles that the surface can do without, give or take this much, are merged away [mm]: the first that leaves few enough."""
-MOST_FACES = 3800
+MOST_FACES = 3600
+SOLE = 0.2
+"""So much is cut off flat beneath every object: merging leaves an underside uneven [mm]."""
 SEGMENTS = 36
 """Sides of a round thing."""
 
 
 def mesh(solid: Solid) -> trimesh.Trimesh:
-    """The solid in metres."""
+    """The solid in metres, standing on z = 0."""
     import trimesh
 
     tried = (solid.simplify(tolerance) for tolerance in FINENESS)
     light = next((one for one in tried if one.num_tri() <= MOST_FACES), solid)
-    triangles = light.to_mesh64()
+    triangles = grounded(light, SOLE).to_mesh64()
     vertices = np.asarray(triangles.vert_properties)[:, :3] / 1000.0
     return trimesh.Trimesh(vertices, np.asarray(triangles.tri_verts, dtype=np.int64), process=False)
 
@@ -93,14 +95,14 @@ def curve(points: Sequence[Sequence[float]], steps: int = 6) -> list[tuple[float
 
 def lathe(profile: Sequence[Sequence[float]], segments: int = SEGMENTS, corner: float = 0.0) -> Solid:
     """A line of (radius, z) from the lower end of the axis to the upper one, turned about z; its outer corners rounded off."""
-    return Manifold.revolve(soften(_outline(profile), corner).simplify(FINENESS[0]), segments)
+    return Manifold.revolve(soften(_outline(profile), corner).simplify(FINENESS[1]), segments)
 
 
 def vessel(profile: Sequence[Sequence[float]], wall: float = 5.0, segments: int = SEGMENTS, rim: float = 1.8) -> Solid:
     """As `lathe`, but hollow and open above: its wall is so thick everywhere, its edges rounded off."""
     r, z = profile[-1]
     hollow = offset(_outline([*profile, (r, z + 4 * wall)]), -wall)
-    return Manifold.revolve(soften(_outline(profile) - hollow, rim).simplify(FINENESS[0]), segments)
+    return Manifold.revolve(soften(_outline(profile) - hollow, rim).simplify(FINENESS[1]), segments)
 
 
 def _outline(profile: Sequence[Sequence[float]]) -> Section:

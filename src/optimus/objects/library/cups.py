@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
-from optimus.objects.library.entry import BLUE, BROWN, CREAM, GLAZED, GOLD, GREEN, METAL, PAPER, PINK, RED, SKY, TAN, WHITE, WOOD, entry
+from optimus.objects.library.entry import (
+    BLUE,
+    BROWN,
+    CREAM,
+    GLAZED,
+    GOLD,
+    GREEN,
+    METAL,
+    PAPER,
+    PINK,
+    RED,
+    SKY,
+    WHITE,
+    WOOD,
+    entry,
+)
 from optimus.objects.solids import (
     Solid,
     arc,
-    around,
     ball,
     box,
     circle,
@@ -21,7 +35,6 @@ from optimus.objects.solids import (
     rectangle,
     ring,
     sweep,
-    turn,
     vessel,
 )
 

@@ -4,8 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from optimus.objects.library.entry import GREEN, PAPER, PURPLE, RED, YELLOW, colour, entry
-from optimus.objects.solids import Solid, around, ball, curve, ellipsoid, extrude, grounded, hull, lathe, move, polygon, sweep, turn, union
+from optimus.objects.library.entry import PAPER, PURPLE, RED, YELLOW, colour, entry
+from optimus.objects.solids import (
+    Solid,
+    around,
+    ball,
+    curve,
+    ellipsoid,
+    extrude,
+    grounded,
+    hull,
+    lathe,
+    move,
+    polygon,
+    sweep,
+    turn,
+    union,
+)
 
 
 def _leaf(length: float, width: float, segments: int = 12) -> Solid:
@@ -42,15 +57,15 @@ def banana() -> Solid:
 
 def pineapple() -> Solid:
     """A body of scales under a tuft of leaves."""
-    body = ellipsoid(28, 28, 38).translate((0, 0, 36))
-    scale = extrude(polygon([(-7, 0), (0, -8), (7, 0), (0, 8)]), 3.0, 0.55)
-    for row in range(7):
-        z = 8 + 9.5 * row
+    body = ellipsoid(28, 28, 38, 20).translate((0, 0, 36))
+    scale = extrude(polygon([(-7, 0), (0, -8.5), (8, 0), (0, 8.5)]), 3.0, 0.55)
+    for row in range(6):
+        z = 9 + 10.5 * row
         radius = 28 * np.sqrt(1 - ((z - 36) / 38) ** 2)
         lean = float(np.degrees(np.arctan2((z - 36) / 38**2, radius / 28**2)))
-        body += around(turn(scale, y=90 - lean).translate((radius - 0.8, 0, z)), 10).rotate((0, 0, 18 * (row % 2)))
+        body += around(turn(scale, y=90 - lean).translate((radius - 1.2, 0, z)), 10).rotate((0, 0, 18 * (row % 2)))
     leaves = Solid()
-    for count, length, tilt, phase in ((7, 34, 48, 0), (6, 42, 66, 25), (4, 48, 80, 10)):
+    for count, length, tilt, phase in ((7, 34, 46, 0), (5, 42, 64, 25), (3, 48, 80, 10)):
         leaves += around(turn(_leaf(length, 13, 4), y=-tilt), count).rotate((0, 0, phase))
     return grounded(body + ball(12, 16).translate((0, 0, 72)) + move(leaves, z=72), 3.5)
 

@@ -24,7 +24,6 @@ from optimus.objects.library.entry import (
 )
 from optimus.objects.solids import (
     Solid,
-    arc,
     around,
     ball,
     box,

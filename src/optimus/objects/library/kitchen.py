@@ -13,10 +13,8 @@ from optimus.objects.library.entry import (
     ORANGE,
     PINK,
     PLASTIC,
-    RED,
     SILVER,
     TAN,
-    WHITE,
     WOOD,
     YELLOW,
     colour,
@@ -151,9 +149,9 @@ def picnic_basket() -> Solid:
 def round_basket() -> Solid:
     """Coiled, with an arched handle."""
     profile = [(0, 0), *curve([(26, 0), (38, 18), (42, 44)])]
-    coils = [ring(r, 7, 8).translate((0, 0, z)) for r, z in ((29, 4), (34, 11), (37.5, 19), (39.5, 27), (40.5, 35), (41, 43))]
+    coils = [ring(r, 8, 6).translate((0, 0, z)) for r, z in ((31, 6), (36, 15), (39.5, 24), (40.5, 33), (41, 42))]
     inside = lathe([(0, 6), *curve([(22, 6), (33, 20), (37, 60)]), (0, 60)])
-    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 16)], box(8, 14, 8, 1.5))
+    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 12)], box(8, 14, 8, 1.5))
     return vessel(profile) + sum(coils, Solid()) - inside + handle
 
 

@@ -20,10 +20,8 @@ from optimus.objects.solids import (
     move,
     plate,
     polygon,
-    rectangle,
     ring,
     soften,
-    sweep,
     turn,
 )
 

@@ -25,9 +25,7 @@ from optimus.objects.solids import (
     Solid,
     arc,
     around,
-    ball,
     box,
-    circle,
     curve,
     cylinder,
     extrude,
@@ -57,7 +55,8 @@ def twisted_vase() -> Solid:
 
 
 def amphora() -> Solid:
-    body = vessel([(0, 0), (24, 0), (24, 5), *curve([(15, 13), (27, 42), (34, 72), (25, 100), (14, 112), (14, 130), (21, 140)], 3)])
+    profile = curve([(15, 13), (27, 42), (34, 72), (26, 100), (14, 116), (21, 140)], 3)
+    body = vessel([(0, 0), (24, 0), (24, 5), *profile], segments=32)
     handle = sweep(curve([(15, 0, 128), (34, 0, 132), (42, 0, 112), (32, 0, 84)], 3), 4.5)
     return body + mirrored(handle, (1, 0, 0))
 
