@@ -43,9 +43,9 @@ def mesh(solid: Solid) -> trimesh.Trimesh:
 # ---- sections: figures in the plane ----
 
 
-def polygon(points: Sequence[Point]) -> Section:
+def polygon(points: Sequence[Sequence[float]]) -> Section:
     """The inside of a closed line."""
-    return CrossSection([list(points)], FillRule.EvenOdd)
+    return CrossSection([np.asarray(points, dtype=np.float64)], FillRule.EvenOdd)
 
 
 def circle(radius: float, at: Point = (0.0, 0.0)) -> Section:
@@ -136,7 +136,7 @@ def ring(radius: float, thickness: float, sides: int = 12) -> Solid:
 
 def sweep(path: Sequence[Sequence[float]], bead: Solid | float) -> Solid:
     """What a bead (a convex solid, or the radius of a ball) fills on its way along a path."""
-    solid = ball(bead, 12) if isinstance(bead, float) else bead
+    solid = bead if isinstance(bead, Solid) else ball(bead, 12)
     return _strung([solid.translate(_point(point)) for point in path])
 
 

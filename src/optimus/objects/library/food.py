@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from optimus.objects.library.entry import PAPER, PURPLE, RED, YELLOW, colour, entry
@@ -44,7 +46,7 @@ def pear() -> Solid:
 
 
 def banana() -> Solid:
-    """Lying on its side, five-sided."""
+    """Lying on its side, its skin in ten flats."""
     bends = np.radians(np.linspace(-52, 52, 15))
     radii = 3.5 + 12.5 * np.clip(np.cos(bends * 1.62), 0, 1) ** 0.5
     rings = []
@@ -52,7 +54,7 @@ def banana() -> Solid:
         slice_ = lathe([(0, -0.5), (radius, -0.5), (radius, 0.5), (0, 0.5)], segments=10)
         rings.append(turn(slice_, x=90, z=float(np.degrees(angle))).translate((68 * np.cos(angle), 68 * np.sin(angle), 0.0)))
     stem = hull(rings[-1], ball(4.5, 12).translate((68 * np.cos(1.08), 68 * np.sin(1.08), 0)))
-    return grounded(union(*(hull(a, b) for a, b in zip(rings[:-1], rings[1:], strict=True)), stem), 3.0)
+    return grounded(union(*(hull(a, b) for a, b in pairwise(rings)), stem), 3.0)
 
 
 def pineapple() -> Solid:

@@ -100,7 +100,8 @@ def open_book() -> Solid:
 
 
 def book_stack() -> Solid:
-    return _book(60, 84, 21) + turn(_book(56, 78, 19), z=12).translate((0, 0, 20)) + turn(_book(52, 72, 18), z=-8).translate((0, 2, 38))
+    second, third = turn(_book(56, 78, 19), z=12), turn(_book(52, 72, 18), z=-8)
+    return _book(60, 84, 21) + move(second, z=20) + move(third, y=2, z=38)
 
 
 def pillar_candle() -> Solid:
@@ -109,21 +110,22 @@ def pillar_candle() -> Solid:
     for angle, low in ((20, 30), (100, 50), (150, 18), (230, 42), (300, 26)):
         drop = sweep([(27, 0, 72), (28.5, 0, low)], 3.5) + ball(5, 16).translate((28.5, 0, low))
         wax += turn(drop, z=angle)
-    flame = lathe([(0, 0), *curve([(2.5, 0), (9, 12), (6, 24), (0.5, 38)]), (0, 38)])
-    return wax + move(cylinder(2.5, 16), z=62) + move(flame, z=72)
+    flame = lathe([(0, 0), *curve([(3, 0), (9, 12), (6, 24), (2, 36)]), (0, 37)])
+    return wax + move(cylinder(3, 16), z=62) + move(flame, z=72)
 
 
 def candlestick() -> Solid:
     """A saucer with a ring to hold it by, and the candle in it."""
-    saucer = lathe([(0, 0), (32, 0), *curve([(34, 4), (38, 12)]), (38, 15), (34, 15), *curve([(31, 9), (26, 6)]), (0, 6)], corner=1.0)
+    saucer = lathe([(0, 0), (32, 0), (34, 4), (38, 12), (38, 15), (34, 15), *curve([(31, 9), (26, 6)]), (0, 6)], corner=1.0)
     socket = lathe([(0, 4), *curve([(16, 4), (12, 12), (15, 24)]), (15, 28), (0, 28)], corner=1)
-    flame = lathe([(0, 0), *curve([(2.5, 0), (8, 11), (5, 20), (0.5, 34)]), (0, 34)])
+    flame = lathe([(0, 0), *curve([(3, 0), (8, 11), (5, 20), (2, 32)]), (0, 33)])
     handle = turn(ring(13, 7), x=90).translate((46, 0, 18))
     return saucer + socket + cylinder(10.5, 88) + move(flame, z=86) + (handle - cylinder(34, 60))
 
 
 def table_lamp() -> Solid:
-    foot = lathe([(0, 0), (30, 0), (30, 7), *curve([(24, 12), (8, 17), (7, 26), (15, 38), (19, 52), (12, 68), (7, 80)]), (7, 100), (0, 100)])
+    stem = curve([(24, 12), (8, 17), (7, 26), (15, 38), (19, 52), (12, 68), (7, 80)])
+    foot = lathe([(0, 0), (30, 0), (30, 7), *stem, (7, 100), (0, 100)])
     shade = lathe([(0, 88), (38, 88), (24, 144), (0, 144)], corner=2)
     return foot + shade + move(cylinder(4.5, 12), z=142)
 

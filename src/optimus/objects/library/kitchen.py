@@ -126,7 +126,8 @@ def succulent() -> Solid:
     """A rosette of thick leaves."""
     leaves = ball(12, 16).translate((0, 0, 4))
     for count, length, tilt, phase in ((9, 34, 22, 0), (7, 29, 48, 25), (5, 24, 72, 10)):
-        leaf = hull(ellipsoid(4, 4, 4, 12), ellipsoid(6, 9, 4, 12).translate((0.6 * length, 0, 1)), ball(2.5, 8).translate((length, 0, 3)))
+        middle, tip = ellipsoid(6, 9, 4, 12).translate((0.6 * length, 0, 1)), ball(2.5, 8).translate((length, 0, 3))
+        leaf = hull(ball(4, 12), middle, tip)
         leaves += around(turn(leaf, y=-tilt), count).rotate((0, 0, phase))
     return _flower_pot(50) + move(leaves, z=50)
 

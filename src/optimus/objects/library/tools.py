@@ -47,15 +47,9 @@ def claw_hammer() -> Solid:
 
 def ball_hammer() -> Solid:
     """Lying on its side, one end of its head a ball."""
-    body = turn(lathe([(0, 0), (14, 0), (14, 14), (9, 20), (9, 30), (12, 34), (12, 44), (7, 50), (0, 50)], corner=1.5), x=90)
-    peen = ball(13, 24).translate((0, -28, 0))
-    head = turn(body.translate((0, 25, 0)), z=0) + peen + turn(cylinder(12, 28, corner=1), z=0).translate((0, 0, -14))
-    return grounded_flat(head.translate((0, 0, 13))) + move(_grip(), x=6, z=0)
-
-
-def grounded_flat(solid: Solid) -> Solid:
-    """Without what reaches below z = 1.5."""
-    return solid.trim_by_plane((0, 0, 1), 0.0)
+    face = lathe([(0, 0), (14, 0), (14, 14), (9, 20), (9, 30), (12, 34), (12, 44), (7, 50), (0, 50)], corner=1.5)
+    head = turn(face, x=90).translate((0, 25, 0)) + ball(13, 24).translate((0, -28, 0)) + move(cylinder(12, 28, corner=1), z=-14)
+    return move(head, z=13).trim_by_plane((0, 0, 1), 0) + move(_grip(), x=6)
 
 
 def mallet() -> Solid:

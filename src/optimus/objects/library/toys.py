@@ -85,7 +85,8 @@ def boat() -> Solid:
     shell = hull(plate(keel, 6, 2), move(plate(soften(polygon(deck), 4), 6, 2), z=26))
     deck_well = move(extrude(polygon([(0.86 * x, 0.8 * y) for x, y in deck]), 20), z=27)
     house = move(box(44, 28, 26), x=-18, z=24) + move(box(50, 32, 6), x=-18, z=48)
-    portholes = mirrored(turn(cylinder(5, 6, corner=0), x=90).translate((-8, -11, 38)) + turn(cylinder(5, 6, corner=0), x=90).translate((-28, -11, 38)))
+    porthole = turn(cylinder(5, 6, corner=0), x=90).translate((-8, -11, 38))
+    portholes = mirrored(porthole + move(porthole, x=-20))
     funnel = move(cylinder(9, 28), x=-22, z=50) + move(ring(9, 5), x=-22, z=72)
     return shell - deck_well + house - portholes + funnel
 
