@@ -19,6 +19,11 @@ ROTATION_TOLERANCE = 2e-3
 DIFFERENT = 0.05
 """Configurations further apart than this in some joint are different ways [rad]."""
 
+RELAXING = 0.05
+"""Share of the way home that the null space goes in one step of `refine`."""
+SETTLING, SETTLING_SHARE = 14, 0.2
+"""So many steps, and such a share, until it has come to rest."""
+
 STARTS, DESCENT = 60, 40
 """The numeric search descends from this many configurations at most, by this many steps each."""
 PATIENCE = 12
@@ -62,12 +67,22 @@ class Kinematics:
             error = error_between(target, self.fk(q))
             if np.linalg.norm(error[:3]) < POSITION_TOLERANCE and np.linalg.norm(error[3:]) < ROTATION_TOLERANCE:
                 return q if self.within_limits(q) else None
-            jac = self.jacobian()
-            gain = jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(6))
-            relax = self.home - q
-            step = gain @ error + 0.05 * (relax - gain @ (jac @ relax))
-            q = q + np.clip(step, -0.3, 0.3)
+            q = q + self._step(q, error, RELAXING)
         return None
+
+    def _step(self, q: Array, error: Array, relaxing: float) -> Array:
+        """Towards the pose that is off by `error` from that of the last `fk`, and this share of the way home in the null space."""
+        jac = self.jacobian()
+        gain = jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(6))
+        relax = self.home - q
+        return np.clip(gain @ error + relaxing * (relax - gain @ (jac @ relax)), -0.3, 0.3)
+
+    def settled(self, q: Array, target: Pose) -> Array | None:
+        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if that is
+        beyond the joints' limits."""
+        for _ in range(SETTLING):
+            q = q + self._step(q, error_between(target, self.fk(q)), SETTLING_SHARE)
+        return self.refine(q, target)
 
     def ways(self, target: Pose, near: Array) -> list[Array]:
         """Configurations that reach `target` or nearly so, one a way of doing it, in no order; `refine` makes them exact."""

@@ -17,8 +17,8 @@ from optimus.state import Held, State
 
 UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
 """Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
-LEANING = tuple(np.radians((-75.0, -60.0, -45.0, -30.0, -90.0)))
-"""The same where there is a roof."""
+LEANING = tuple(np.radians((75.0, -75.0, 45.0, -45.0, 60.0, -60.0, 30.0, -30.0, 90.0, -90.0)))
+"""The same where there is a roof: with the hand either way up."""
 
 
 class Pick:
@@ -59,7 +59,7 @@ class Pick:
         for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
             held = Held(thing, goal.inverse @ state.poses[thing])
             taken = replace(state, tcp=goal, held=held, opening=0.0)
-            if purpose is not None and not purpose.possible(taken):
+            if not workspace.fits(state, goal) or (purpose is not None and not purpose.possible(taken)):
                 continue
             for way in workspace.ways(state, goal):
                 reach = workspace.travel("reach", state, way.corners, False, rng, way.straight)

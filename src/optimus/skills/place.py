@@ -13,7 +13,7 @@ from optimus.logic import Facts, Operator, ground
 from optimus.objects.shapes import Surface
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
-from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat
+from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
 from optimus.skills.skill import Refinement, Workspace, gripper_action
 from optimus.state import State
 
@@ -66,18 +66,19 @@ class Place:
     ) -> Iterator[Pose]:
         """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical."""
         assert state.held is not None
-        upright = _levelled(state.tcp, workspace.home)
+        hand = _stood_up(state, thing)
+        upright = _levelled(hand, workspace.home)
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
-        if _heading(state.tcp) is not None:  # leaning into something: never from behind
+        if _heading(hand) is not None:  # leaning into something: never from behind
             turns = [0.0, 0.4, -0.4, 0.8, -0.8]
-        height = state.tcp.pos[2] - _lowest(workspace, state, thing)
+        half = np.array(workspace.scene.shape_of(thing).half_extents)
         for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
             for yaw in workspace.order(turns, rng):
                 quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
                 # the thing, not the tcp, goes over the spot
-                offset = Pose(np.zeros(3), quat).transform(state.held.tcp_from_object.pos)
-                pos = np.array([*(point - offset)[:2], point[2] + height + RELEASE_GAP])
-                yield Pose(pos, quat)
+                put = Pose(np.zeros(3), quat) @ state.held.tcp_from_object
+                above = np.abs(put.matrix[2]) @ half + RELEASE_GAP
+                yield Pose(point - put.pos + (0.0, 0.0, above), quat)
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
         """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the ways there."""
@@ -135,14 +136,16 @@ def _heading(tcp: Pose) -> float | None:
     return float(np.arctan2(y, x)) if np.hypot(x, y) > 0.2 else None
 
 
+def _stood_up(state: State, thing: str) -> Pose:
+    """The tcp's pose, turned so that what is held stands upright on the side that is nearly down."""
+    axes = state.poses[thing].matrix
+    up = axes[:, int(np.abs(axes[2]).argmax())]
+    return Pose(state.tcp.pos, quat_mul(turn_towards(up, np.array([0.0, 0.0, np.sign(up[2])])), state.tcp.quat))
+
+
 def _levelled(tcp: Pose, home: Pose) -> Array:
-    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt: what is held stays as upright as it is.
+    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt, so that what is held stays upright.
     A hand that leans is turned to lean away from the arm's base."""
     heading, inverse = _heading(tcp), tcp.quat * np.array([1.0, -1.0, -1.0, -1.0])
     turn = rotvec_from_quat(quat_mul(home.quat, inverse))[2] if heading is None else -heading
     return quat_mul(quat_from_rotvec((0.0, 0.0, turn)), tcp.quat)
-
-
-def _lowest(workspace: Workspace, state: State, thing: str) -> float:
-    """The height of the held thing's lowest point [m], by its bounding box."""
-    return 2 * state.poses[thing].pos[2] - workspace.top_of(state, thing)
