@@ -1,7 +1,6 @@
 """Every task: its starts are what the paper says, and the expert's plans are valid and succeed in physics."""
 
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 import pytest
@@ -10,7 +9,6 @@ from conftest import SOLVED
 from optimus.collision import CollisionChecker
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.motion.chain import smoothest_chain
 from optimus.motion.plan import Infeasible
 from optimus.objects.shapes import slab
 from optimus.planner import solve
@@ -106,23 +104,3 @@ def test_a_pulled_door_may_touch_the_fingers_by_its_bar_alone() -> None:
     assert checker.check(swing.q[-1]) is None
     checker.look_at(state.swung("door", 0.3), pulled="door")  # the door swings, the hand stays: they meet elsewhere
     assert checker.check(swing.q[0]) is not None
-
-
-def test_the_smoothest_chain_is_the_best_of_all() -> None:
-    rng = np.random.default_rng(0)
-    for _ in range(30):
-        layers = [rng.uniform(-0.5, 0.5, (int(rng.integers(1, 5)), 3)) for _ in range(4)]
-        first = rng.uniform(0, 0.2, len(layers[0]))
-        forbidden = {(0, 0, 0)}
-
-        def cost(chain: tuple[int, ...], layers=layers, first=first, forbidden=forbidden) -> float:
-            steps = [layers[k + 1][chain[k + 1]] - layers[k][chain[k]] for k in range(3)]
-            broken = any(np.abs(s).max() > 0.6 for s in steps) or any((k, chain[k], chain[k + 1]) in forbidden for k in range(3))
-            return np.inf if broken else first[chain[0]] + sum(float(s @ s) for s in steps)
-
-        best = min(cost(chain) for chain in product(*(range(len(layer)) for layer in layers)))
-        found = smoothest_chain(layers, 0.6, forbidden, first)
-        if found is None:
-            assert best == np.inf
-        else:
-            assert cost(tuple(found)) == pytest.approx(best)

@@ -40,6 +40,7 @@ class CollisionChecker:
         self._held_geom = np.zeros_like(self._robot_geom)
         self._held: tuple[int, Pose] | None = None
         self._bar_geom = -1
+        self._low, self._high = np.array(world.scene.low) - BOX_SLACK, np.array(world.scene.high) + BOX_SLACK
 
     def look_at(self, state: State, pulled: str | None = None) -> None:
         """Take the surroundings, the hand's opening and what it holds from `state`; the queries then vary only `q`.
@@ -70,8 +71,8 @@ class CollisionChecker:
 
     def _outside(self) -> Blocked | None:
         """The controller keeps the hand within the scene's box: no path may leave it."""
-        tcp, scene = self._data.site_xpos[self.world.tcp_site], self.world.scene
-        inside = np.all(tcp >= np.subtract(scene.low, BOX_SLACK)) and np.all(tcp <= np.add(scene.high, BOX_SLACK))
+        tcp = self._data.site_xpos[self.world.tcp_site]
+        inside = (tcp >= self._low).all() and (tcp <= self._high).all()
         return None if inside else Blocked("robot", "the workspace's edge")
 
     def _worst(self) -> Blocked | None:
@@ -80,6 +81,8 @@ class CollisionChecker:
             return None
         geoms = contact.geom[:n]
         robot, held = self._robot_geom[geoms], self._held_geom[geoms]
+        if not robot.any() and not held.any():
+            return None
         depth = -contact.dist[:n]
         with_held = held.any(axis=1)
         gripped = with_held & self._finger_geom[geoms].any(axis=1)

@@ -9,20 +9,25 @@ import frankik
 import mujoco
 import numpy as np
 
-from optimus.se3 import Array, Pose, error_between
+from optimus.se3 import Array, Pose
 from optimus.world import World
 
 POSITION_TOLERANCE = 2e-4
 """[m]"""
 ROTATION_TOLERANCE = 2e-3
 """[rad]"""
+DAMPING = 1e-5 * np.eye(6)
+NULL_SPACE_GAIN = 0.05
+"""Of the way home, in each step of the descent."""
+LONGEST_STEP = 0.3
+"""Of a joint in each step of the descent [rad]."""
 DIFFERENT = 0.05
 """Configurations further apart than this in some joint are different ways [rad]."""
 
-RELAXING = 0.05
-"""Share of the way home that the null space goes in one step of `refine`."""
-SETTLING, SETTLING_SHARE = 14, 0.2
-"""So many steps, and such a share, until it has come to rest."""
+SETTLING, SETTLING_GAIN = 14, 0.2
+"""So many steps, with such a share of the way home in each, until the null space has come to rest."""
+AT_EASE = 0.13
+"""Nearer to the joints' limits than this the controllers have other things to do than go home [rad]."""
 
 STARTS, DESCENT = 60, 40
 """The numeric search descends from this many configurations at most, by this many steps each."""
@@ -40,8 +45,8 @@ class Kinematics:
         self.home = world.home
         self.low, self.high = world.arm_range[:, 0] + 0.02, world.arm_range[:, 1] - 0.02
         self._data = mujoco.MjData(world.model)
-        self._jacp = np.zeros((3, world.model.nv))
-        self._jacr = np.zeros((3, world.model.nv))
+        self._jac = np.zeros((6, world.model.nv))
+        self._error, self._turn, self._solved = np.zeros(6), np.zeros(4), np.zeros(6)
         self._ways: Ways = PandaWays(self) if world.scene.robot.ik == "panda" else NumericWays(self)
 
     def fk(self, q: Array) -> Pose:
@@ -54,35 +59,52 @@ class Kinematics:
         """The tcp's Jacobian `(6, dof)` [m/rad; rad/rad], base frame, at the configuration of the last `fk`."""
         model, data = self.world.model, self._data
         mujoco.mj_comPos(model, data)
-        mujoco.mj_jacSite(model, data, self._jacp, self._jacr, self.world.tcp_site)
-        return np.vstack([self._jacp[:, self.world.arm_dof], self._jacr[:, self.world.arm_dof]])
+        mujoco.mj_jacSite(model, data, self._jac[:3], self._jac[3:], self.world.tcp_site)
+        return self._jac[:, self.world.arm_dof]
 
     def within_limits(self, q: Array) -> bool:
-        return bool(np.all(q >= self.low) and np.all(q <= self.high))
+        return bool((q >= self.low).all() and (q <= self.high).all())
+
+    def _missing(self, q: Array, target: Pose) -> Array:
+        """`error_between(target, fk(q))`, by MuJoCo's own quaternions: it is the inner loop of planning."""
+        data, site, error, turn = self._data, self.world.tcp_site, self._error, self._turn
+        data.qpos[self.world.arm_qpos] = q
+        mujoco.mj_kinematics(self.world.model, data)
+        mujoco.mju_mat2Quat(turn, data.site_xmat[site])
+        mujoco.mju_negQuat(turn, turn)
+        mujoco.mju_mulQuat(turn, target.quat, turn)
+        mujoco.mju_quat2Vel(error[3:], turn, 1.0)
+        error[:3] = target.pos - data.site_xpos[site]
+        return error
 
     def refine(self, q: Array, target: Pose, iterations: int = 12) -> Array | None:
         """The solution near `q`: damped least squares, drawn towards home in the null space; None if it does not converge."""
         q = q.copy()
         for _ in range(iterations):
-            error = error_between(target, self.fk(q))
-            if np.linalg.norm(error[:3]) < POSITION_TOLERANCE and np.linalg.norm(error[3:]) < ROTATION_TOLERANCE:
+            error = self._missing(q, target)
+            moved, turned = error[:3], error[3:]
+            if moved @ moved < POSITION_TOLERANCE**2 and turned @ turned < ROTATION_TOLERANCE**2:
                 return q if self.within_limits(q) else None
-            q = q + self._step(q, error, RELAXING)
+            q += self._step(q, error, NULL_SPACE_GAIN)
         return None
 
-    def _step(self, q: Array, error: Array, relaxing: float) -> Array:
-        """Towards the pose that is off by `error` from that of the last `fk`, and this share of the way home in the null space."""
-        jac = self.jacobian()
-        gain = jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(6))
-        relax = self.home - q
-        return np.clip(gain @ error + relaxing * (relax - gain @ (jac @ relax)), -0.3, 0.3)
+    def _step(self, q: Array, error: Array, homewards: float) -> Array:
+        """The damped least-squares step that makes up for the tcp's `error` at `q`, and this share of the way home as far as that
+        does not move the tcp."""
+        jac, relax = self.jacobian(), homewards * (self.home - q)
+        squared = jac @ jac.T + DAMPING
+        mujoco.mju_cholFactor(squared, 0.0)
+        mujoco.mju_cholSolve(self._solved, squared, error - jac @ relax)
+        return np.maximum(np.minimum(jac.T @ self._solved + relax, LONGEST_STEP), -LONGEST_STEP)
 
     def settled(self, q: Array, target: Pose) -> Array | None:
-        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if that is
-        beyond the joints' limits."""
+        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if a joint
+        is at its limit then, where it can no longer follow."""
         for _ in range(SETTLING):
-            q = q + self._step(q, error_between(target, self.fk(q)), SETTLING_SHARE)
-        return self.refine(q, target)
+            q = q + self._step(q, self._missing(q, target), SETTLING_GAIN)
+        found = self.refine(q, target)
+        at_ease = found is not None and (found > self.low + AT_EASE).all() and (found < self.high - AT_EASE).all()
+        return found if at_ease else None
 
     def ways(self, target: Pose, near: Array) -> list[Array]:
         """Configurations that reach `target` or nearly so, one a way of doing it, in no order; `refine` makes them exact."""

@@ -51,16 +51,22 @@ def track(
             poses.append(pose)
     return np.array(path), tuple(poses)
 
+
 def fastest(q: Array, poses: tuple[Pose, ...], limits: Array, at_most: float) -> float:
     """How fast the tcp may go along a path, `at_most` [m/s], so that no joint exceeds its limit `(dof,)` [rad/s] in the mean of any
     `RESPONSE`."""
     along = np.concatenate([[0.0], np.cumsum([distance(a, b) for a, b in pairwise(poses)])])
     speed = at_most
-    for _ in range(6):  # the slower, the shorter the stretch over which speeds are averaged
-        ends = np.minimum(np.searchsorted(along, along + RESPONSE * speed), len(along) - 1)
-        turned, went = (np.abs(q[ends] - q) / limits).max(axis=1), along[ends] - along
-        allowed = float(np.min(np.where(turned > 1e-6, went / np.maximum(turned, 1e-6), np.inf), initial=np.inf))
-        if allowed >= speed:
+    for _ in range(8):  # the slower, the shorter the stretch over which speeds are averaged
+        over = _furthest_turned(along, q / limits, RESPONSE * speed) / RESPONSE
+        if over <= 1.0 or speed <= SLOWEST:
             break
-        speed = max(SLOWEST, min(allowed, 0.95 * speed))
+        speed = max(SLOWEST, 0.98 * speed / over)
     return speed
+
+
+def _furthest_turned(along: Array, q: Array, window: float) -> float:
+    """The most that a joint changes over any stretch of `window` of a path `q` `(T, dof)` that is linear between `along` `(T,)`."""
+    begin = np.concatenate([along, along - window])  # between these, the change is linear too
+    ends = [np.array([np.interp(at, along, joint) for joint in q.T]) for at in (begin, begin + window)]
+    return float(np.abs(ends[1] - ends[0]).max(initial=0.0))

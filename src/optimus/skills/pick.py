@@ -17,7 +17,7 @@ from optimus.state import Held, State
 
 UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
 """Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
-LEANING = tuple(np.radians((75.0, -75.0, 45.0, -45.0, 60.0, -60.0, 30.0, -30.0, 90.0, -90.0)))
+LEANING = tuple(np.radians((45.0, -75.0, 60.0, 30.0, -60.0, -45.0, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
 

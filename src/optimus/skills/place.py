@@ -21,6 +21,8 @@ RELEASE_GAP = 0.001
 """Things are let go this far above their support [m]."""
 SPACING = 0.05
 """Between the candidate spots of a surface [m]."""
+AMPLE = 0.25
+"""A surface with more than this to every side [m] is large."""
 QUICK_TARGETS = 10
 """Poses tried before a thing is believed not to go to a place."""
 MARGIN = 0.015
@@ -45,13 +47,15 @@ class Place:
             )
 
     def spots(self, workspace: Workspace, state: State, thing: str, support: str) -> Iterator[Array]:
-        """Free points `(3,)` [m] of the support's surface, the nearest to its middle first."""
+        """Free points `(3,)` [m] of the support's surface, the nearest to its middle first; of a large one, the nearest to where
+        the arm is at home."""
         scene = workspace.scene
         shape = scene.shape_of(support)
         assert shape.surface is not None
         frame = pose_of(scene, state, support)
         radius = float(np.hypot(*scene.shape_of(thing).half_extents[:2]))
-        for x, y in _grid(shape.surface, radius + MARGIN):
+        home = frame.inverse.transform(workspace.home.pos)
+        for x, y in _grid(shape.surface, radius + MARGIN, home):
             point = frame.transform((x, y, shape.surface.z))
             apart = all(self._apart(workspace, state, point, radius, other) for other in state.poses if other != thing)
             if apart and not scene.is_covered(point, radius + MARGIN, support) and not scene.in_swing(point, radius, support):
@@ -120,14 +124,17 @@ class Stack(Place):
         yield pose_of(workspace.scene, state, support).transform((0.0, 0.0, shape.surface.z))
 
 
-def _grid(surface: Surface, inset: float) -> list[tuple[float, float]]:
-    """Points of a surface `inset` away from its edges, the middle first, then outwards."""
-    spans = []
-    for half in (surface.half_x, surface.half_y):
+def _grid(surface: Surface, inset: float, home: Array) -> list[tuple[float, float]]:
+    """Points of a surface `inset` away from its edges: first the one nearest to `home` `(3,)` that has `AMPLE` about it, or the
+    middle of a smaller surface, then outwards. All in the surface's frame [m]."""
+    spans, centre = [], []
+    for half, at in ((surface.half_x, home[0]), (surface.half_y, home[1])):
         n = max(0, int((half - inset) / SPACING))
         spans.append([k * SPACING for k in range(-n, n + 1)])
+        ample = max(0.0, half - AMPLE)
+        centre.append(min(max(float(at), -ample), ample))
     points = [(x, y) for x in spans[0] for y in spans[1]]
-    return sorted(points, key=lambda p: (round(float(np.hypot(*p)), 6), p))
+    return sorted(points, key=lambda p: (round(float(np.hypot(p[0] - centre[0], p[1] - centre[1])), 6), p))
 
 
 def _heading(tcp: Pose) -> float | None:
