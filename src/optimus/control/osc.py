@@ -53,7 +53,8 @@ class OperationalSpace(PoseTarget):
         q = data.qpos[w.arm_qpos]
         low, high = w.arm_range[:, 0] + LIMIT_MARGIN, w.arm_range[:, 1] - LIMIT_MARGIN
         off_limits = np.maximum(low - q, 0.0) - np.maximum(q - high, 0.0)
-        relax = mass @ (NULL_KP * (w.home - q) + LIMIT_KP * off_limits - 2.0 * np.sqrt(NULL_KP) * qvel)
+        pull = NULL_KP * (w.home - q) + LIMIT_KP * off_limits - 2.0 * np.sqrt(NULL_KP) * qvel
+        relax = mass @ (pull - jac.T @ np.linalg.solve(jac @ jac.T + 1e-5 * np.eye(6), jac @ pull))
         # what of it moves the tcp is taken out again (dynamically consistent projection)
         relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))
         torque = jac.T @ wrench + relax + data.qfrc_bias[w.arm_dof] + self._damping * qvel
