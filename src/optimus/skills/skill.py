@@ -41,7 +41,7 @@ class Style:
     """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
     corridor: float = 0.15
     """Fixtures this near to the way sideways are passed over [m]."""
-    hop: float = 0.02
+    hop: float = 0.015
     """Under a roof, what is held is carried this far above its place [m]."""
     high: float = 0.45
     """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
