@@ -85,10 +85,10 @@ class Place:
                 yield Pose(point - put.pos + (0.0, 0.0, above), quat)
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
-        """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the ways there."""
+        """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the whole ways there."""
         thing, support = args
         targets = islice(self.targets(workspace, state, thing, support, rng), QUICK_TARGETS)
-        return any(workspace.fits(state, goal) for goal in targets)
+        return any(workspace.fits(state, goal) and next(workspace.ways(state, goal), None) is not None for goal in targets)
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator

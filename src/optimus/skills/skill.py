@@ -162,7 +162,8 @@ class Workspace:
         self, state: State, corners: list[Pose], straight: int, rng: np.random.Generator
     ) -> tuple[Array, tuple[Pose, ...]] | None:
         """By way of home; else by joint motion to the corner where the last `straight` lines begin, then along these."""
-        starts = list(islice(self._starts(state, corners[-straight - 1 :]), self.style.detours))
+        ends = self.settled(state, corners[-1])
+        starts = [q for q in (self._backwards(state, end, corners[-straight - 1 :]) for end in ends) if q is not None]
         if not starts:
             return None
         for height in (self.home.pos[2], self.style.high):
@@ -170,25 +171,23 @@ class Workspace:
             known = lines.track(self.kinematics, self.checker, state.q, [over, *corners])
             if not isinstance(known, Blocked):
                 return known
-        for start in starts:
+        for start in starts[: self.style.detours]:
             found = self._by_joints(state.q, start, corners[-straight:], rng)
             if not isinstance(found, Blocked):
                 return found
         return None
 
-    def _starts(self, state: State, corners: list[Pose]) -> Iterator[Array]:
-        """Configurations at the first of `corners` from which the lines through the others are free: found backwards from the last
-        one, where there is least room."""
-        for q in self.settled(state, corners[-1]):
-            back = lines.track(self.kinematics, self.checker, q, corners[-2::-1])
-            if not isinstance(back, Blocked):
-                yield back[0][-1]
+    def _backwards(self, state: State, q: Array, corners: list[Pose]) -> Array | None:
+        """The configuration at the first of `corners` from which the lines through the others lead to `q`, if they are free: looked
+        for from the end, where there is least room."""
+        self.checker.look_at(state)
+        back = lines.track(self.kinematics, self.checker, q, corners[-2::-1])
+        return None if isinstance(back, Blocked) else back[0][-1]
 
     def settled(self, state: State, goal: Pose) -> Iterator[Array]:
         """Free configurations at `goal` in which the arm would stay, with whatever it holds in `state`. If there is none, why is
         added to `failures`."""
         self.require_time()
-        self.checker.look_at(state)
         seen: list[Array] = []
         blocked: Blocked | None = lines.UNREACHABLE
         for solution in islice(self.kinematics.solutions(goal, state.q), self.style.postures):
@@ -196,6 +195,7 @@ class Workspace:
             if q is None or any(np.abs(q - other).max() < DIFFERENT for other in seen):
                 continue
             seen.append(q)
+            self.checker.look_at(state)
             found = self.checker.check(q)
             if found is None:
                 blocked = None
@@ -216,16 +216,24 @@ class Workspace:
         return lines.track(self.kinematics, self.checker, q, [*(self.kinematics.fk(p) for p in path[1:]), *corners])
 
     def ways(self, state: State, goal: Pose) -> Iterator[Way]:
-        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof."""
+        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof, where only ways
+        that are free seen from their end count."""
         if not roof.is_under(self.scene, goal):
             yield Way(self._over_and_down(state, goal, self.transit_height(state, goal)))
             return
-        hop = np.array([0.0, 0.0, self.style.hop])
-        for out in roof.ways_out(self.scene, goal):
-            into = [*reversed(out), goal]
-            if state.held is not None:  # what is held comes in above its place, and is then put down
-                into = [*(pose.shifted(hop) for pose in into), goal]
-            yield Way(into, straight=len(into) - 1, out=out)
+        ways = [self._into(state, goal, out) for out in roof.ways_out(self.scene, goal)]
+        for q in self.settled(state, goal):
+            for way in list(ways):
+                if self._backwards(state, q, way.corners[-way.straight - 1 :]) is not None:
+                    ways.remove(way)
+                    yield way
+
+    def _into(self, state: State, goal: Pose, out: list[Pose]) -> Way:
+        into = [*reversed(out), goal]
+        if state.held is not None:  # what is held comes in above its place, and is then put down
+            hop = np.array([0.0, 0.0, self.style.hop])
+            into = [*(pose.shifted(hop) for pose in into), goal]
+        return Way(into, straight=len(into) - 1, out=out)
 
     def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
         """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
