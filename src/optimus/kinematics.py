@@ -26,7 +26,7 @@ DIFFERENT = 0.05
 
 SETTLING, SETTLING_GAIN = 14, 0.2
 """So many steps, with such a share of the way home in each, until the null space has come to rest."""
-AT_EASE = 0.13
+AT_EASE = 0.08
 """Nearer to the joints' limits than this the controllers have other things to do than go home [rad]."""
 
 STARTS, DESCENT = 60, 40

@@ -42,7 +42,9 @@ class Style:
     corridor: float = 0.15
     """Fixtures this near to the way sideways are passed over [m]."""
     hop: float = 0.015
-    """Under a roof, what is held is carried this far above its place [m]."""
+    """Under a roof, what is held is carried this far above its support [m]."""
+    lift_off: float = 0.005
+    """... after it has been lifted straight up by this [m]."""
     high: float = 0.45
     """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
     postures: int = 12
@@ -231,17 +233,20 @@ class Workspace:
     def _into(self, state: State, goal: Pose, out: list[Pose]) -> Way:
         into = [*reversed(out), goal]
         if state.held is not None:  # what is held comes in above its place, and is then put down
-            hop = np.array([0.0, 0.0, self.style.hop])
-            into = [*(pose.shifted(hop) for pose in into), goal]
+            into = [*reversed(self._above(goal, out)), goal]
         return Way(into, straight=len(into) - 1, out=out)
+
+    def _above(self, goal: Pose, out: list[Pose]) -> list[Pose]:
+        """Corners from `goal` through `out` for a hand that holds something, which is to touch nothing on the way."""
+        off = goal.shifted((0.0, 0.0, self.style.lift_off))
+        return [off, *(pose.shifted((0.0, 0.0, self.style.hop)) for pose in out)]
 
     def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
         """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
         if way.out is None:
             least = self.style.approach if state.held is not None else self.style.retreat
             return [goal.shifted((0.0, 0.0, max(self.transit_height(state, goal) - goal.pos[2], least)))]
-        hop = np.array([0.0, 0.0, self.style.hop])
-        return [pose.shifted(hop) for pose in (goal, *way.out)] if state.held is not None else way.out
+        return self._above(goal, way.out) if state.held is not None else way.out
 
     def _over_and_down(self, state: State, goal: Pose, height: float) -> list[Pose]:
         """Corners of the usual way: straight up to `height` (never down), across while turning, straight down to `goal`."""
