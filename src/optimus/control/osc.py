@@ -13,7 +13,7 @@ from optimus.world import World
 
 KP = 400.0
 """Stiffness [1/s^2], position and rotation alike; damping is critical."""
-NULL_KP = 10.0
+NULL_KP = 30.0
 """Stiffness of the pull towards home in the null space [1/s^2]."""
 
 LIMIT_MARGIN, LIMIT_KP = 0.15, 400.0

@@ -57,21 +57,14 @@ class Pick:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, purpose = args[0], workspace.purpose
-        blocked: list[tuple[Pose, Way]] = []
-        for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
-            if not workspace.fits(state, goal) or (purpose is not None and not purpose.possible(_held(state, thing, goal))):
-                continue
-            for way in workspace.ways(state, goal):
-                reach = workspace.travel("reach", state, way.corners, False, rng)
-                if reach is None:
-                    blocked.append((goal, way))
-                else:
-                    yield from self._lift(workspace, state, thing, way, reach, rng)
-        # ways about are long: only where no grasp can be reached straight
-        for goal, way in blocked:
-            reach = workspace.travel("reach", state, way.corners, False, rng, way.straight)
-            if reach is not None:
-                yield from self._lift(workspace, state, thing, way, reach, rng)
+        grasps = workspace.order(list(self.grasps(workspace, state, thing)), rng)
+        goals = (
+            goal
+            for goal in grasps
+            if workspace.fits(state, goal) and (purpose is None or purpose.possible(_held(state, thing, goal)))
+        )
+        for way, reach in workspace.approaches("reach", state, goals, False, rng):
+            yield from self._lift(workspace, state, thing, way, reach, rng)
 
     def _lift(
         self, workspace: Workspace, state: State, thing: str, way: Way, reach: Segment, rng: np.random.Generator

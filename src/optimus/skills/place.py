@@ -10,11 +10,12 @@ from typing import ClassVar
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
+from optimus.motion.plan import Segment
 from optimus.objects.shapes import Surface
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
-from optimus.skills.skill import Refinement, Workspace, gripper_action
+from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import State
 
 RELEASE_GAP = 0.001
@@ -94,21 +95,24 @@ class Place:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, support = args
+        targets = self.targets(workspace, state, thing, support, rng)
+        while batch := list(islice(targets, QUICK_TARGETS)):
+            for way, carry in workspace.approaches("carry", state, batch, True, rng):
+                yield from self._release(workspace, state, thing, way, carry, rng)
+
+    def _release(
+        self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator
+    ) -> Iterator[Refinement]:
+        """The rest after `carry`, if it can be done."""
         assert state.held is not None
-        for goal in self.targets(workspace, state, thing, support, rng):
-            for way in workspace.ways(state, goal):
-                carry = workspace.travel("carry", state, way.corners, True, rng, way.straight)
-                if carry is None:
-                    continue
-                q = carry.q[-1]
-                put = goal @ state.held.tcp_from_object
-                left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
-                back = workspace.way_back(left, goal, way)
-                retreat = workspace.travel("retreat", left, back, False, rng)
-                if retreat is None:
-                    continue
-                after = replace(left, q=retreat.q[-1], tcp=back[-1])
-                yield (carry, gripper_action("open", q, goal, False), retreat), after
+        q, goal = carry.q[-1], carry.end
+        put = goal @ state.held.tcp_from_object
+        left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
+        back = workspace.way_back(left, goal, way)
+        retreat = workspace.travel("retreat", left, back, False, rng)
+        if retreat is not None:
+            after = replace(left, q=retreat.q[-1], tcp=back[-1])
+            yield (carry, gripper_action("open", q, goal, False), retreat), after
 
 
 class Stack(Place):

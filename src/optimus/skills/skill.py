@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import ClassVar, Protocol, TypeVar
@@ -18,6 +18,7 @@ from optimus.motion.plan import Segment
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between
 from optimus.skills import roof
+from optimus.skills.style import Style
 from optimus.state import State
 from optimus.world import World
 
@@ -27,32 +28,6 @@ FASTEST = 0.5
 """No plan is for a faster tcp than this [m/s]."""
 SPEED_SHARE = 0.9
 """Of the joints' speed limits, what a plan makes use of."""
-
-
-@dataclass(frozen=True)
-class Style:
-    """How the expert moves: the imitation-friendly defaults, each by name, so that ablations can change one."""
-
-    transit_clearance: float = 0.06
-    """Sideways motion happens this far above everything that stands about [m]."""
-    approach: float = 0.06
-    """The straight last stretch before a grasp or a release [m]."""
-    retreat: float = 0.09
-    """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
-    corridor: float = 0.15
-    """Fixtures this near to the way sideways are passed over [m]."""
-    hop: float = 0.015
-    """Under a roof, what is held is carried this far above its support [m]."""
-    lift_off: float = 0.005
-    """... after it has been lifted straight up by this [m]."""
-    high: float = 0.45
-    """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
-    postures: int = 12
-    """Arm configurations looked at for a pose."""
-    detours: int = 4
-    """... and so many of them tried, where the straight way is blocked."""
-    shuffle: bool = False
-    """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
 
 
 class OutOfTime(Exception):
@@ -240,6 +215,23 @@ class Workspace:
         """Corners from `goal` through `out` for a hand that holds something, which is to touch nothing on the way."""
         off = goal.shifted((0.0, 0.0, self.style.lift_off))
         return [off, *(pose.shifted((0.0, 0.0, self.style.hop)) for pose in out)]
+
+    def approaches(
+        self, name: str, state: State, goals: Iterable[Pose], shut: bool, rng: np.random.Generator
+    ) -> Iterator[tuple[Way, Segment]]:
+        """Motions to any of `goals`, each with the way that it takes: straight ones first. Ways about are long."""
+        blocked: list[Way] = []
+        for goal in goals:
+            for way in self.ways(state, goal):
+                motion = self.travel(name, state, way.corners, shut, rng)
+                if motion is None:
+                    blocked.append(way)
+                else:
+                    yield way, motion
+        for way in blocked:
+            motion = self.travel(name, state, way.corners, shut, rng, way.straight)
+            if motion is not None:
+                yield way, motion
 
     def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
         """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
