@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from optimus.logic import Facts, Operator, Skeleton, obstructs, skeletons
+from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.predicates import facts_of, holds
 from optimus.skills import SKILLS, Workspace
@@ -43,6 +43,8 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
+    put_down: Operator | None = None
+    """What the culprit takes its thing for, or the culprit itself if it puts one down."""
 
     def bind(self, skeleton: Skeleton, state: State, depth: int = 0) -> tuple[Step, ...] | None:
         """The steps that carry `skeleton` out from `state`, or None."""
@@ -50,7 +52,7 @@ class _Binding:
             return ()
         operator = skeleton[0]
         self.workspace.failures.clear()
-        self.workspace.purpose = self._purpose(operator, skeleton[1:])
+        self.workspace.purpose = self._purpose(skeleton)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
             rest = None
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
@@ -60,14 +62,14 @@ class _Binding:
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        self._remember(operator, depth)
+        self._remember(skeleton, depth)
         return None
 
-    def _purpose(self, operator: Operator, rest: Skeleton) -> Purpose | None:
-        """What comes next of the thing that `operator` picks up."""
-        following = next((o for o in rest if o.args[:1] == operator.args[:1]), None)
+    def _purpose(self, skeleton: Skeleton) -> Purpose | None:
+        """What comes next of the thing that the first operator picks up."""
+        following = _put_down(skeleton)
         skill = SKILLS[following.skill] if following else None
-        if operator.skill != Pick.name or following is None or not isinstance(skill, Place):
+        if skeleton[0].skill != Pick.name or following is None or not isinstance(skill, Place):
             return None
         args, rng = following.args, np.random.default_rng(0)
         return Purpose(args[1], lambda state: skill.possible(self.workspace, state, args, rng))
@@ -75,9 +77,10 @@ class _Binding:
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _remember(self, operator: Operator, depth: int) -> None:
+    def _remember(self, skeleton: Skeleton, depth: int) -> None:
         if depth > self.deepest:
-            self.deepest, self.culprit = depth, operator
+            operator = skeleton[0]
+            self.deepest, self.culprit, self.put_down = depth, operator, _put_down(skeleton)
             names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
             self.blame = Counter(n for n in names if n not in ("robot", *operator.args[:1]))
 
@@ -87,9 +90,26 @@ def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
     return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
 
 
+def puts_down(operator: Operator) -> bool:
+    """Whether it lets go of its first argument."""
+    return isinstance(SKILLS.get(operator.skill), Place)
+
+
+def _put_down(skeleton: Skeleton) -> Operator | None:
+    """The first operator of `skeleton` that puts down what the very first one deals with."""
+    return next((o for o in skeleton if o.args[:1] == skeleton[0].args[:1] and puts_down(o)), None)
+
+
 def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
-    """The operators, those that pick a thing up also deleting what was learned of its being in the way."""
-    freed = {o: frozenset(a for a in learned if o.skill == "pick" and a.args[0] == o.args[0]) for o in operators}
+    """The operators, those that pick a thing up also deleting what was learned of its being in the way. A thing that is in the way
+    of its own being put somewhere has to be put down elsewhere first: so it stands otherwise, and can be taken otherwise."""
+
+    def frees(operator: Operator, atom: Atom) -> bool:
+        blocker, _, *args = atom.args
+        own = args[:1] == [blocker]
+        return operator.args[:1] == (blocker,) and (puts_down(operator) if own else operator.skill == Pick.name)
+
+    freed = {o: frozenset(a for a in learned if frees(o, a)) for o in operators}
     return tuple(replace(o, deletes=o.deletes | freed[o]) if freed[o] else o for o in operators)
 
 
@@ -119,7 +139,7 @@ def solve(
             return Plan(state, steps, stats)
         failed.add(tuple(map(str, skeleton)))
         last = _explain(binding)
-        learned = learned | _lesson(binding, workspace)
+        learned = learned | _lesson(binding, workspace, learned)
     return last
 
 
@@ -127,12 +147,16 @@ def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skele
     return next((s for s in candidates if tuple(map(str, s)) not in failed), None)
 
 
-def _lesson(binding: _Binding, workspace: Workspace) -> Facts:
-    """The movables that stood in the way of the skill that could not be done."""
+def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
+    """The movables that stood in the way of the skill that could not be done; if none did that was not known of, then no way to take
+    the thing as it stands serves to put it where it was to go."""
     if binding.culprit is None:
         return frozenset()
-    movable = [n for n in binding.blame if n in workspace.scene.movable_names]
-    return frozenset(obstructs(name, binding.culprit) for name in movable)
+    culprit, put_down = binding.culprit, binding.put_down
+    found = frozenset(obstructs(name, culprit) for name in binding.blame if name in workspace.scene.movable_names)
+    if found <= learned and put_down is not None:
+        found |= {obstructs(put_down.args[0], put_down)}
+    return found
 
 
 def _explain(binding: _Binding) -> Infeasible:
