@@ -1,4 +1,4 @@
-"""A can stands in a narrow bin, from which it can only be taken from above, and is to go into a low cabinet, where the hand has to lean."""
+"""A can stands in a narrow bin, where the hand has to come from above, and is to go into a low cabinet, where it has to lean."""
 
 import numpy as np
 import pytest
@@ -56,6 +56,13 @@ def test_no_single_grasp_serves_both_ends_and_yet_there_is_a_plan(env: Manipulat
     ]
     # it did not come by it by trying whatever else is four steps long
     assert plan.stats["skeletons"] <= 3
+
+
+def test_what_has_nothing_to_do_with_a_failure_is_not_tried_again_for_it(env: ManipulationEnv) -> None:
+    goal = env.problem.goal | {On("one", "two")}
+    plan = solve(Workspace(env.world), env.state(), goal, np.random.default_rng(0), Budget(seconds=20))
+    assert isinstance(plan, Plan), plan
+    assert plan.skeleton == ("pick", "stack", "pick", "place", "pick", "place") and plan.stats["skeletons"] == 2
 
 
 def test_physics_confirms_the_change_of_grasp(env: ManipulationEnv) -> None:

@@ -27,7 +27,7 @@ DIFFERENT = 0.05
 SETTLING, SETTLING_GAIN = 14, 0.2
 """So many steps, with such a share of the way home in each, until the null space has come to rest."""
 AT_EASE = 0.08
-"""Nearer to the joints' limits than this the controllers have other things to do than go home [rad]."""
+"""The arm does not settle nearer to a joint's limit than this [rad]: the controllers keep off it."""
 
 STARTS, DESCENT = 60, 40
 """The numeric search descends from this many configurations at most, by this many steps each."""
@@ -98,8 +98,8 @@ class Kinematics:
         return np.maximum(np.minimum(jac.T @ self._solved + relax, LONGEST_STEP), -LONGEST_STEP)
 
     def settled(self, q: Array, target: Pose) -> Array | None:
-        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if a joint
-        is at its limit then, where it can no longer follow."""
+        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if a
+        joint is near its limit then, where it can hardly follow."""
         for _ in range(SETTLING):
             q = q + self._step(q, self._missing(q, target), SETTLING_GAIN)
         found = self.refine(q, target)

@@ -43,6 +43,8 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
+    involved: set[str] = field(default_factory=set)
+    """What had to do with the latest failure."""
     put_down: Operator | None = None
     """What the culprit takes its thing for, or the culprit itself if it puts one down."""
 
@@ -54,11 +56,13 @@ class _Binding:
         self.workspace.failures.clear()
         self.workspace.purpose = self._purpose(skeleton)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
-            rest = None
+            rest, self.involved = None, set(operator.args)
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
                 rest = self.bind(skeleton[1:], after, depth + 1)
             if rest is not None:
                 return (Step(operator, segments, after), *rest)
+            if not self._could_help(operator):
+                return None
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
@@ -78,11 +82,18 @@ class _Binding:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
     def _remember(self, skeleton: Skeleton, depth: int) -> None:
+        operator = skeleton[0]
+        names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
+        self.involved = {*names, *operator.args}
         if depth > self.deepest:
-            operator = skeleton[0]
             self.deepest, self.culprit, self.put_down = depth, operator, _put_down(skeleton)
-            names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
             self.blame = Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+
+    def _could_help(self, operator: Operator) -> bool:
+        """Whether to do `operator` otherwise could undo the latest failure: not if it moved a thing that had nothing to do with it,
+        nor stands now where something was to go."""
+        things = operator.args if puts_down(operator) else operator.args[:1]
+        return operator.args[0] not in self.workspace.scene.movable_names or not self.involved.isdisjoint(things)
 
 
 def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
@@ -148,8 +159,8 @@ def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skele
 
 
 def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
-    """The movables that stood in the way of the skill that could not be done; if none did that was not known of, then no way to take
-    the thing as it stands serves to put it where it was to go."""
+    """The movables that stood in the way of the skill that could not be done. If nothing new did, then no way to take the thing
+    as it stands serves to put it where it was to go."""
     if binding.culprit is None:
         return frozenset()
     culprit, put_down = binding.culprit, binding.put_down

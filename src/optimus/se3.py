@@ -126,7 +126,7 @@ def interpolate(start: Pose, end: Pose, fraction: float) -> Pose:
 
 
 def turn_towards(a: Array, b: Array, at_most: float = np.pi) -> Array:
-    """The quaternion `(4,) wxyz` of the shortest rotation from direction `a` `(3,)` towards `b`, by no more than `at_most` [rad]."""
+    """The quaternion `(4,) wxyz` of the shortest rotation from direction `a` `(3,)` towards `b`, of `at_most` [rad]."""
     axis = np.cross(a, b)
     sine = float(np.linalg.norm(axis))
     if sine < 1e-9:  # no way is the shortest

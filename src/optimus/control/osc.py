@@ -14,7 +14,7 @@ from optimus.world import World
 KP = 400.0
 """Stiffness [1/s^2], position and rotation alike; damping is critical."""
 NULL_KP = 30.0
-"""Stiffness of the pull towards home in the null space [1/s^2]."""
+"""Stiffness of the pull towards home in the null space [1/s^2]: as quick as plans suppose (`kinematics.NULL_SPACE_GAIN`)."""
 
 LIMIT_MARGIN, LIMIT_KP = 0.15, 400.0
 """Nearer to a joint's limit than this [rad], the null space pushes it away with this stiffness [1/s^2]: a joint at its limit can no

@@ -14,8 +14,8 @@ MARGIN = 0.10
 BACKED = 0.08
 """So far along its own heading the hand backs off before it goes straight for the open [m]."""
 RAISED = (0.0, 0.6)
-"""By so much the hand is raised towards pointing down on its way out [rad]: near to the arm's base there is not always room to lean.
-Less than 45 degrees, so that it stays clear on which side what it holds is to stand."""
+"""By so much the hand is raised towards pointing down on its way out [rad]: near to the arm's base there is not always room to
+lean. Less than 45 degrees, so that it stays clear on which side what it holds is to stand."""
 DOWN = np.array([0.0, 0.0, -1.0])
 AHEAD = np.array([1.0, 0.0, 0.0])
 """Shelves and boxes are open towards the arm's base."""

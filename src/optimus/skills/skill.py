@@ -193,8 +193,8 @@ class Workspace:
         return lines.track(self.kinematics, self.checker, q, [*(self.kinematics.fk(p) for p in path[1:]), *corners])
 
     def ways(self, state: State, goal: Pose) -> Iterator[Way]:
-        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof, where only ways
-        that are free seen from their end count."""
+        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof, and there
+        only ways that are free as far as the open sky."""
         if not roof.is_under(self.scene, goal):
             yield Way(self._over_and_down(state, goal, self.transit_height(state, goal)))
             return
