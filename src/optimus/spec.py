@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from optimus.objects.shapes import Shape
+from optimus.objects.shapes import Mesh, Shape
 from optimus.robots.model import robot_spec, root_body
 from optimus.scene import Door, Scene
 from optimus.se3 import look_at
@@ -15,27 +15,52 @@ PHYSICS_DT = 0.005
 
 HAND_PREFIX = "robot/"
 BAR_SUFFIX = "/bar"
+SEEN_GROUP, HIDDEN_GROUP = 2, 3
+"""MuJoCo draws geoms of groups 0 to 2."""
 
 
-def _add_shape(body: mujoco.MjsBody, shape: Shape) -> None:
-    kinds = {
-        "box": mujoco.mjtGeom.mjGEOM_BOX,
-        "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
-        "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
-    }
+KINDS = {
+    "box": mujoco.mjtGeom.mjGEOM_BOX,
+    "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
+    "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
+    "mesh": mujoco.mjtGeom.mjGEOM_MESH,
+}
+
+
+def add_shape(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> None:
+    """Give `body` the parts of a shape: what touches, what is seen, what it weighs."""
     for part in shape.parts:
         size = np.zeros(3)
         size[: len(part.size)] = part.size
-        geom = body.add_geom(type=kinds[part.kind], size=size, pos=part.pos, quat=part.quat, rgba=shape.rgba)
+        geom = body.add_geom(type=KINDS[part.kind], size=size, pos=part.pos, quat=part.quat, rgba=shape.rgba)
         # stiff, high-friction contacts: softer ones let a stack creep (docs/architecture.md, "Physics")
         geom.condim = 4
-        geom.friction = [1.0, 0.02, 0.0005]
+        geom.friction = [shape.friction, 0.02, 0.0005]
         geom.solref = [0.01, 1.0]
         geom.solimp = [0.95, 0.99, 0.001, 0.5, 2.0]
         geom.mass = shape.mass / len(shape.parts)
+        if part.mesh is not None:
+            geom.meshname = _mesh(spec, part.mesh)
+        if shape.look is not None:
+            geom.group = HIDDEN_GROUP
+    if shape.look is not None:
+        seen = body.add_geom(type=KINDS["mesh"], meshname=_mesh(spec, shape.look), rgba=shape.rgba, group=SEEN_GROUP)
+        seen.contype, seen.conaffinity, seen.mass = 0, 0, 0.0
+    if shape.inertia is not None:
+        body.explicitinertial = True
+        body.mass, body.ipos, body.iquat, body.inertia = shape.mass, shape.inertia.com, shape.inertia.quat, shape.inertia.moments
 
 
-def _add_door(root: mujoco.MjsBody, door: Door) -> None:
+def _mesh(spec: mujoco.MjSpec, mesh: Mesh) -> str:
+    """The name of a mesh, which is added once however many bodies have it."""
+    name = f"mesh{id(mesh):x}"
+    if all(known.name != name for known in spec.meshes):
+        added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel().tolist(), userface=mesh.faces.ravel().tolist())
+        added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX  # small hulls are too thin for the exact one
+    return name
+
+
+def _add_door(spec: mujoco.MjSpec, root: mujoco.MjsBody, door: Door) -> None:
     body = root.add_body(name=door.name, pos=door.hinge)
     hinge = body.add_joint(name=door.name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0.0, 0.0, door.turns])
     hinge.limited = mujoco.mjtLimited.mjLIMITED_TRUE
@@ -43,7 +68,7 @@ def _add_door(root: mujoco.MjsBody, door: Door) -> None:
     # it stays where it is left
     hinge.damping = np.array([0.5, 0.0, 0.0])
     hinge.frictionloss = 0.2
-    _add_shape(body, door.shape)
+    add_shape(spec, body, door.shape)
     cylinder, bar = mujoco.mjtGeom.mjGEOM_CYLINDER, door.bar
     body.add_geom(
         name=door.name + BAR_SUFFIX,
@@ -57,14 +82,19 @@ def _add_door(root: mujoco.MjsBody, door: Door) -> None:
     )
 
 
-def world_spec(scene: Scene) -> mujoco.MjSpec:
-    """The scene with its robot attached, ready to compile."""
-    spec = mujoco.MjSpec()
+def physics(spec: mujoco.MjSpec) -> None:
+    """How all worlds are simulated."""
     spec.compiler.degree = False
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.timestep = PHYSICS_DT
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10.0
+
+
+def world_spec(scene: Scene) -> mujoco.MjSpec:
+    """The scene with its robot attached, ready to compile."""
+    spec = mujoco.MjSpec()
+    physics(spec)
     spec.visual.headlight.ambient = [0.45, 0.45, 0.45]
     spec.visual.headlight.diffuse = [0.45, 0.45, 0.45]
     spec.visual.headlight.specular = [0.1, 0.1, 0.1]
@@ -92,13 +122,13 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
     )
     for fixture in scene.fixtures:
         body = root.add_body(name=fixture.name, pos=fixture.pose.pos, quat=fixture.pose.quat)
-        _add_shape(body, fixture.shape)
+        add_shape(spec, body, fixture.shape)
     for i, movable in enumerate(scene.movables):
         body = root.add_body(name=movable.name, pos=[0.5 + i, 3.0, 0.5])
         body.add_freejoint(name=movable.name)
-        _add_shape(body, movable.shape)
+        add_shape(spec, body, movable.shape)
     for door in scene.doors:
-        _add_door(root, door)
+        _add_door(spec, root, door)
         for fixture in scene.fixtures:
             if fixture.door == door.name:  # it hangs on the box that it shuts
                 spec.add_exclude(bodyname1=door.name, bodyname2=fixture.name)

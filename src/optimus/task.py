@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -44,6 +45,10 @@ class Problem:
         return all(holds(self.scene, state, atom) for atom in self.goal if atom.predicate != Released.name)
 
 
+Objects = Mapping[str, Shape]
+"""What a task may be done with: shapes by name."""
+
+
 @dataclass(frozen=True)
 class Task:
     """A task: its name, how a problem is drawn, and how many 20 Hz steps an agent has."""
@@ -56,6 +61,8 @@ class Task:
     """What pictures for people are centred on [m]."""
     eye: tuple[float, float, float] = field(default=(0.66, -0.44, 0.46))
     """From where they are taken, against that centre [m]."""
+    draw_with: Callable[[Objects, np.random.Generator], Problem] | None = None
+    """Draws the problem with other objects; None where there are none to choose."""
 
     @property
     def people_camera(self) -> Camera:
@@ -63,10 +70,22 @@ class Task:
         x, y, z = (c + e for c, e in zip(self.close_up, self.eye, strict=True))
         return Camera("people", (x, y, z), self.close_up)
 
+    def over(self, name: str, objects: Objects) -> Task:
+        """The same task, under another name, with those objects. `ModelError` if it has none to choose."""
+        if self.draw_with is None:
+            raise ModelError(f"{self.name} has objects of its own: no others can be chosen for it")
+        return replace(self, name=name, draw=partial(self.draw_with, objects))
+
     def problem(self, seed: int, robot: Robot | None = None) -> Problem:
         """The problem of that seed: the same one every time, on every machine. `robot` takes the place of the task's own."""
         problem = self.draw(np.random.default_rng([seed, 0x0971]))
         return problem if robot is None else replace(problem, scene=replace(problem.scene, robot=robot))
+
+
+def pick_one(objects: Objects, rng: np.random.Generator) -> str:
+    """The name of one of the objects, each as likely as the others."""
+    names = list(objects)
+    return names[int(rng.integers(len(names)))]
 
 
 def footprint(shape: Shape) -> float:

@@ -6,21 +6,41 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from optimus.se3 import Pose, quat_from_matrix
+from optimus.se3 import Array, Pose, quat_from_matrix
 
 Vec3 = tuple[float, float, float]
 Rgba = tuple[float, float, float, float]
 
 
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles: `vertices` `(n, 3)` [m] in the object's frame and `faces` `(m, 3)`. One and the same is equal to itself alone."""
+
+    vertices: Array
+    faces: NDArray[np.int32]
+
+
 @dataclass(frozen=True)
 class Part:
-    """One convex primitive in the object's frame: MuJoCo's half-size convention [m], position [m], quaternion wxyz."""
+    """One convex piece in the object's frame: a primitive (MuJoCo's half-size convention [m], position [m], quaternion wxyz), or the
+    hull of a mesh."""
 
-    kind: Literal["box", "cylinder", "sphere"]
-    size: tuple[float, ...]
+    kind: Literal["box", "cylinder", "sphere", "mesh"]
+    size: tuple[float, ...] = ()
     pos: Vec3 = (0.0, 0.0, 0.0)
     quat: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+    mesh: Mesh | None = None
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """Of a body: its centre of mass [m] and principal moments [kg m^2] about axes turned by `quat`, in the object's frame."""
+
+    com: Vec3
+    moments: Vec3
+    quat: tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -57,6 +77,15 @@ class Shape:
     surface: Surface | None = None
     symmetric: bool = False
     """True for a body of revolution about z: its yaw means nothing."""
+    friction: float = 1.0
+    """Sliding friction against the pads and what it stands on."""
+    look: Mesh | None = None
+    """What is seen of it, where that is not its parts."""
+    inertia: Inertia | None = None
+    """None: the parts are of even weight."""
+    verified: bool = False
+    """Each grasp was tried as it stands, from above or leaning; otherwise a grasp may be turned about the line on which the fingers
+    close."""
 
 
 def top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:

@@ -30,7 +30,18 @@ TASKS: dict[str, str] = {
 
 
 def task(name: str) -> Task:
-    """The task of that name, or of `module:ATTRIBUTE` for one outside the package; `UnknownNameError` lists the known ones."""
+    """The task of that name, or of `module:ATTRIBUTE` for one outside the package; `UnknownNameError` lists the known ones. After an
+    `@` comes what it is to be done with: `pick-place@72`, `shelf@mug,bottle-1` (`optimus.assets.catalogue.keys_of`)."""
+    base, _, objects = name.partition("@")
+    found = _named(base)
+    if not objects:
+        return found
+    from optimus.assets.catalogue import ObjectSet
+
+    return found.over(name, ObjectSet(objects))
+
+
+def _named(name: str) -> Task:
     place = TASKS.get(name, name)
     module, _, attribute = place.partition(":")
     if not attribute:

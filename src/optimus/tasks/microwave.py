@@ -14,7 +14,7 @@ from optimus.predicates import On, Released
 from optimus.robots import PANDA
 from optimus.scene import Bar, Camera, Door, Fixture, Movable, Scene
 from optimus.se3 import Pose
-from optimus.task import Problem, Task, footprint
+from optimus.task import Objects, Problem, Task, footprint, pick_one
 
 
 @dataclass(frozen=True)
@@ -75,10 +75,10 @@ def microwave(size: Size) -> tuple[Fixture, Door]:
     return box, door
 
 
-def scene_of(variant: str, size: Size, obstacle: bool) -> Scene:
+def scene_of(shape: Shape, size: Size, obstacle: bool) -> Scene:
     """A microwave of that size, a platform with an object beside it, and perhaps something before the door."""
     box, door = microwave(size)
-    movables = (Movable("object", OBJECTS[variant]), *([Movable("obstacle", OBSTACLE)] if obstacle else []))
+    movables = (Movable("object", shape), *([Movable("obstacle", OBSTACLE)] if obstacle else []))
     return Scene(
         robot=PANDA,
         fixtures=(TABLE, STAND, box),
@@ -91,32 +91,35 @@ def scene_of(variant: str, size: Size, obstacle: bool) -> Scene:
 
 
 def _on_platform(shape: Shape, rng: np.random.Generator) -> Pose:
-    reach = PLATFORM / 2 - footprint(shape)
+    reach = max(0.0, PLATFORM / 2 - footprint(shape))
     x, y = rng.uniform(-reach, reach, 2) + PLATFORM_AT
     return Pose.of((x, y, HEIGHT + shape.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
 
 
-def draw(sizes: bool, adapt: bool, rng: np.random.Generator) -> Problem:
-    variant = list(OBJECTS)[int(rng.integers(len(OBJECTS)))]
+def draw(sizes: bool, adapt: bool, objects: Objects, rng: np.random.Generator) -> Problem:
+    variant = pick_one(objects, rng)
     size = Size()
     if sizes:
         size = Size(*(round(float(rng.uniform(*r)), 2) for r in (HEIGHTS, WIDTHS, DEPTHS)))
     blocked = adapt and bool(rng.uniform() < 0.5)
-    poses = {"object": _on_platform(OBJECTS[variant], rng)}
+    poses = {"object": _on_platform(objects[variant], rng)}
     if adapt:
         x, y = rng.uniform(*OBSTACLE_AREA) if blocked else ASIDE
         poses["obstacle"] = Pose.of((x, y, OBSTACLE.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
     goal = frozenset({On("object", "microwave"), Released("object")})
     name = variant if not adapt else "door blocked" if blocked else "door free"
-    return Problem(scene_of(variant, size, adapt), poses, goal, name)
+    return Problem(scene_of(objects[variant], size, adapt), poses, goal, name)
 
 
 EYE = (-0.75, -1.0, 0.65)
 CLOSE_UP = (0.55, 0.0, 0.12)
-MICROWAVE = Task("microwave", "open the microwave and put an object in", partial(draw, False, False), 600, CLOSE_UP, EYE)
-MICROWAVE_RECEPTACLE = Task(
-    "microwave-receptacle", "the same, with a microwave of another size every time", partial(draw, True, False), 600, CLOSE_UP, EYE
-)
-MICROWAVE_ADAPT = Task(
-    "microwave-adapt", "the same; in half of the starts, something before the door", partial(draw, False, True), 800, CLOSE_UP, EYE
-)
+
+
+def _task(name: str, summary: str, horizon: int, sizes: bool = False, adapt: bool = False) -> Task:
+    drawn = partial(draw, sizes, adapt)
+    return Task(name, summary, partial(drawn, OBJECTS), horizon, CLOSE_UP, EYE, drawn)
+
+
+MICROWAVE = _task("microwave", "open the microwave and put an object in", 600)
+MICROWAVE_RECEPTACLE = _task("microwave-receptacle", "the same, with a microwave of another size every time", 600, sizes=True)
+MICROWAVE_ADAPT = _task("microwave-adapt", "the same; in half of the starts, something before the door", 800, adapt=True)

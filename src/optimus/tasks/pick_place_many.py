@@ -13,7 +13,7 @@ from optimus.predicates import On, Released
 from optimus.robots import PANDA
 from optimus.scene import Camera, Fixture, Movable, Scene
 from optimus.se3 import Pose
-from optimus.task import Problem, Task, footprint
+from optimus.task import Objects, Problem, Task, footprint
 
 PLATFORM, BIN = 0.15, 0.20
 """Edges [m]."""
@@ -25,46 +25,59 @@ OBJECTS: dict[str, Shape] = {
     "magnet": magnet(0.060, 0.055, 0.030, (0.82, 0.14, 0.14, 1.0)),
     "cup": cup(0.030, 0.075, (0.95, 0.65, 0.10, 1.0)),
 }
-SPOTS = {"basket": (0.40, 0.15), "vase": (0.60, 0.15), "magnet": (0.40, 0.34), "cup": (0.60, 0.34)}
+SPOTS = ((0.40, 0.15), (0.60, 0.15), (0.40, 0.34), (0.60, 0.34))
 """Centres of the platforms; each bin stands opposite, its centre 3 cm further from the middle [m]."""
 
 TABLE = Fixture("table", slab(0.4, 0.55, 0.05, (0.78, 0.72, 0.64, 1.0)), (0.56, 0.0, -0.025))
 CAMERA = Camera("agentview", (1.10, 0.0, 0.85), (0.47, 0.0, 0.0), 50.0)
 
 
-def _bin_centre(name: str) -> tuple[float, float]:
-    x, y = SPOTS[name]
+def _bin_centre(spot: tuple[float, float]) -> tuple[float, float]:
+    x, y = spot
     return (0.39 if x < 0.5 else 0.61, -0.15 if y < 0.2 else -0.37)
 
 
-def scene_of(count: int) -> Scene:
-    """The first `count` objects, each with its platform and its bin."""
+def scene_of(shapes: dict[str, Shape]) -> Scene:
+    """Things by name, each with its platform and its bin."""
     fixtures = [TABLE]
-    for name in list(OBJECTS)[:count]:
-        tint = OBJECTS[name].rgba
+    for (name, shape), spot in zip(shapes.items(), SPOTS, strict=False):
+        tint = shape.rgba
         platform = slab(PLATFORM / 2, PLATFORM / 2, HEIGHT, (0.35, 0.38, 0.42, 1.0))
-        fixtures.append(Fixture(f"{name}_platform", platform, (*SPOTS[name], HEIGHT / 2)))
+        fixtures.append(Fixture(f"{name}_platform", platform, (*spot, HEIGHT / 2)))
         pale = (0.5 + tint[0] / 2, 0.5 + tint[1] / 2, 0.5 + tint[2] / 2, 1.0)
-        fixtures.append(Fixture(f"{name}_bin", bin_of(BIN, BIN_HEIGHT, pale), (*_bin_centre(name), BIN_HEIGHT / 2)))
-    movables = tuple(Movable(name, OBJECTS[name]) for name in list(OBJECTS)[:count])
+        fixtures.append(Fixture(f"{name}_bin", bin_of(BIN, BIN_HEIGHT, pale), (*_bin_centre(spot), BIN_HEIGHT / 2)))
+    movables = tuple(Movable(name, shape) for name, shape in shapes.items())
     return Scene(robot=PANDA, fixtures=tuple(fixtures), movables=movables, cameras=(CAMERA,))
 
 
-SCENES = {count: scene_of(count) for count in (2, 3, 4)}
+def problem_of(shapes: dict[str, Shape], variant: str, rng: np.random.Generator) -> Problem:
+    """Each thing somewhere on its platform, at any yaw; the goal: each in its bin."""
+    poses = {}
+    for (name, shape), spot in zip(shapes.items(), SPOTS, strict=False):
+        reach = max(0.0, PLATFORM / 2 - footprint(shape))
+        x, y = rng.uniform(-reach, reach, 2) + spot
+        poses[name] = Pose.of((x, y, HEIGHT + shape.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
+    goal = frozenset(On(n, f"{n}_bin") for n in shapes) | {Released(n) for n in shapes}
+    return Problem(scene_of(shapes), poses, goal, variant)
 
 
 def draw(count: int, rng: np.random.Generator) -> Problem:
-    scene = SCENES[count]
-    poses = {}
-    for movable in scene.movables:
-        reach = PLATFORM / 2 - footprint(movable.shape)
-        x, y = rng.uniform(-reach, reach, 2) + SPOTS[movable.name]
-        poses[movable.name] = Pose.of((x, y, HEIGHT + movable.shape.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
-    names = scene.movable_names
-    goal = frozenset(On(n, f"{n}_bin") for n in names) | {Released(n) for n in names}
-    return Problem(scene, poses, goal)
+    """The paper's own objects, the first `count` of them."""
+    return problem_of({name: OBJECTS[name] for name in list(OBJECTS)[:count]}, "", rng)
 
 
-PICK_PLACE_TWO = Task("pick-place-two", "basket and vase, each into its bin", partial(draw, 2), horizon=600)
-PICK_PLACE_THREE = Task("pick-place-three", "basket, vase and magnet, each into its bin", partial(draw, 3), horizon=900)
-PICK_PLACE_FOUR = Task("pick-place-four", "basket, vase, magnet and cup, each into its bin", partial(draw, 4), horizon=1200)
+def draw_with(count: int, objects: Objects, rng: np.random.Generator) -> Problem:
+    """`count` of the objects, all different if there are as many."""
+    names = list(objects)
+    chosen = [names[i] for i in rng.choice(len(names), count, replace=len(names) < count)]
+    shapes = {f"object{k + 1}": objects[name] for k, name in enumerate(chosen)}
+    return problem_of(shapes, "+".join(chosen), rng)
+
+
+def _task(name: str, summary: str, count: int) -> Task:
+    return Task(name, summary, partial(draw, count), horizon=300 * count, draw_with=partial(draw_with, count))
+
+
+PICK_PLACE_TWO = _task("pick-place-two", "basket and vase, each into its bin", 2)
+PICK_PLACE_THREE = _task("pick-place-three", "basket, vase and magnet, each into its bin", 3)
+PICK_PLACE_FOUR = _task("pick-place-four", "basket, vase, magnet and cup, each into its bin", 4)

@@ -1,0 +1,156 @@
+"""Every object by name: the library, made when first asked for and cached, and what the user has added."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import as_completed
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from optimus.assets import store
+from optimus.assets.picture import picture, png
+from optimus.assets.thing import Facts, Thing, prepare
+from optimus.errors import UnknownNameError
+from optimus.objects.blueprint import Blueprint
+from optimus.objects.library import LIBRARY, SMALL
+from optimus.objects.shapes import Shape
+from optimus.robots.menagerie import cache_folder
+from optimus.workers import executor
+
+SETS: dict[str, tuple[str, ...]] = {
+    "19": SMALL,
+    "72": tuple(LIBRARY),
+    "unseen": tuple(name for name in LIBRARY if name not in SMALL),
+}
+"""Named sets of the library; `unseen` are those of 72 that are not of 19."""
+
+
+def user_folder() -> Path:
+    """Where added objects lie: `$OPTIMUS_OBJECTS`, else the platform's data folder for this program."""
+    if os.environ.get("OPTIMUS_OBJECTS"):
+        return Path(os.environ["OPTIMUS_OBJECTS"]).expanduser()
+    return Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local/share") / "optimus" / "objects"
+
+
+@lru_cache(maxsize=1)
+def library_folder() -> Path:
+    """Where the library's objects lie once they are made; another one for every version of the code that makes them."""
+    package = Path(__file__).parent.parent
+    sources = [*sorted((package / "objects").rglob("*.py")), *sorted((package / "assets").glob("*.py")), package / "spec.py"]
+    digest = hashlib.sha256()
+    for path in sources:
+        digest.update(path.read_bytes())
+    return cache_folder() / "objects" / digest.hexdigest()[:16]
+
+
+def added() -> dict[str, Path]:
+    """The user's own objects: name -> folder."""
+    root = user_folder()
+    found = sorted(root.iterdir()) if root.is_dir() else []
+    return {path.name: path for path in found if (path / store.RECORD).is_file()}
+
+
+def folders_in(folder: Path) -> dict[str, Path]:
+    """The prepared objects in a folder: name -> their folder."""
+    return {p.name: p for p in sorted(folder.iterdir()) if (p / store.RECORD).is_file()}
+
+
+def keys_of(objects: str) -> dict[str, str]:
+    """Names and where to find them (see `shape`), of the objects that `19`, `72`, `unseen`, `NAME,NAME...` or a FOLDER of prepared objects stands for; names may be categories."""
+    if objects in SETS:
+        return {name: name for name in SETS[objects]}
+    if Path(objects).is_dir() and folders_in(Path(objects)):
+        return {name: str(path) for name, path in folders_in(Path(objects)).items()}
+    known = [*LIBRARY, *added()]
+    categories = {b.category for b in LIBRARY.values()}
+    found: list[str] = []
+    for name in objects.split(","):
+        if name in known:
+            found.append(name)
+        elif name in categories:
+            found += [b.name for b in LIBRARY.values() if b.category == name]
+        else:
+            raise UnknownNameError("object", name, [*SETS, *sorted(categories), *known])
+    return {name: name for name in found}
+
+
+def folder_of(name: str) -> Path:
+    """Where an object lies, made first if it is one of the library that is not there yet."""
+    if (Path(name) / store.RECORD).is_file():
+        return Path(name)
+    own = added()
+    if name in own:
+        return own[name]
+    if name not in LIBRARY:
+        raise UnknownNameError("object", name, [*LIBRARY, *own])
+    folder = library_folder() / name
+    if not (folder / store.RECORD).is_file():
+        make(name)
+    return folder
+
+
+@lru_cache(maxsize=256)
+def shape(name: str) -> Shape:
+    """The shape of an object: the same one every time in a process."""
+    return store.load(folder_of(name))
+
+
+class ObjectSet(Mapping[str, Shape]):
+    """Shapes by name, each read when it is first asked for."""
+
+    def __init__(self, objects: str) -> None:
+        """`objects` as `keys_of` takes it."""
+        self._keys = keys_of(objects)
+
+    def __getitem__(self, name: str) -> Shape:
+        return shape(self._keys[name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._keys)
+
+    def __len__(self) -> int:
+        return len(self._keys)
+
+
+def facts_of(blueprint: Blueprint) -> Facts:
+    """The facts of a blueprint."""
+    b = blueprint
+    return Facts(b.name, b.category, b.words, b.mass, b.friction, b.rgba, b.symmetric)
+
+
+def make(name: str) -> float:
+    """Make one object of the library and put it into the cache; the CPU seconds it took."""
+    began = time.process_time()
+    blueprint = LIBRARY[name]
+    keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name)
+    return time.process_time() - began
+
+
+def keep(thing: Thing, folder: Path) -> None:
+    """Write a thing with its picture."""
+    store.save(thing, folder, png(picture(thing.shape)))
+
+
+def missing() -> list[str]:
+    """Objects of the library that are not in the cache."""
+    return [name for name in LIBRARY if not (library_folder() / name / store.RECORD).is_file()]
+
+
+def make_all(names: Iterable[str], workers: int, progress: Callable[[str], None]) -> None:
+    """Make objects of the library, several at a time; each is kept as soon as it is there."""
+    with executor(workers) as pool:
+        futures = {pool.submit(make, name): name for name in names}
+        for future in as_completed(futures):
+            future.result()
+            progress(futures[future])
+
+
+def described(name: str) -> dict[str, Any]:
+    """What is known of an object, JSON-able."""
+    return store.record(folder_of(name))
+
+
