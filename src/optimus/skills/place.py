@@ -96,9 +96,8 @@ class Place:
     ) -> Iterator[Refinement]:
         thing, support = args
         targets = self.targets(workspace, state, thing, support, rng)
-        while batch := list(islice(targets, QUICK_TARGETS)):
-            for way, carry in workspace.approaches("carry", state, batch, True, rng):
-                yield from self._release(workspace, state, thing, way, carry, rng)
+        for way, carry in workspace.approaches("carry", state, targets, True, rng):
+            yield from self._release(workspace, state, thing, way, carry, rng)
 
     def _release(
         self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator

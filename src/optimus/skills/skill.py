@@ -219,15 +219,24 @@ class Workspace:
     def approaches(
         self, name: str, state: State, goals: Iterable[Pose], shut: bool, rng: np.random.Generator
     ) -> Iterator[tuple[Way, Segment]]:
-        """Motions to any of `goals`, each with the way that it takes: straight ones first. Ways about are long."""
+        """Motions to any of `goals`, the first ones first, each with the way that it takes. Ways about are long: of a few goals the
+        straight ones are tried before."""
         blocked: list[Way] = []
-        for goal in goals:
+        for number, goal in enumerate(goals, 1):
             for way in self.ways(state, goal):
                 motion = self.travel(name, state, way.corners, shut, rng)
                 if motion is None:
                     blocked.append(way)
                 else:
                     yield way, motion
+            if number % self.style.at_once == 0:
+                yield from self._ways_about(name, state, blocked, shut, rng)
+                blocked = []
+        yield from self._ways_about(name, state, blocked, shut, rng)
+
+    def _ways_about(
+        self, name: str, state: State, blocked: list[Way], shut: bool, rng: np.random.Generator
+    ) -> Iterator[tuple[Way, Segment]]:
         for way in blocked:
             motion = self.travel(name, state, way.corners, shut, rng, way.straight)
             if motion is not None:

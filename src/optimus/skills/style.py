@@ -27,5 +27,7 @@ class Style:
     """Arm configurations looked at for a pose."""
     detours: int = 4
     """... and so many of them tried, where the straight way is blocked."""
+    at_once: int = 6
+    """Of so many grasps or releases the straight ways are tried before the ways about."""
     shuffle: bool = False
     """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
