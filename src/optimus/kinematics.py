@@ -24,6 +24,11 @@ LONGEST_STEP = 0.3
 DIFFERENT = 0.05
 """Configurations further apart than this in some joint are different ways [rad]."""
 
+SETTLING, SETTLING_GAIN = 14, 0.2
+"""So many steps, with such a share of the way home in each, until the null space has come to rest."""
+AT_EASE = 0.08
+"""The arm does not settle nearer to a joint's limit than this [rad]: the controllers keep off it."""
+
 STARTS, DESCENT = 60, 40
 """The numeric search descends from this many configurations at most, by this many steps each."""
 PATIENCE = 12
@@ -80,13 +85,26 @@ class Kinematics:
             moved, turned = error[:3], error[3:]
             if moved @ moved < POSITION_TOLERANCE**2 and turned @ turned < ROTATION_TOLERANCE**2:
                 return q if self.within_limits(q) else None
-            jac, relax = self.jacobian(), NULL_SPACE_GAIN * (self.home - q)
-            # the damped least-squares step towards the target, and what of `relax` does not move the tcp
-            squared = jac @ jac.T + DAMPING
-            mujoco.mju_cholFactor(squared, 0.0)
-            mujoco.mju_cholSolve(self._solved, squared, error - jac @ relax)
-            q += np.maximum(np.minimum(jac.T @ self._solved + relax, LONGEST_STEP), -LONGEST_STEP)
+            q += self._step(q, error, NULL_SPACE_GAIN)
         return None
+
+    def _step(self, q: Array, error: Array, homewards: float) -> Array:
+        """The damped least-squares step that makes up for the tcp's `error` at `q`, and this share of the way home as far as that
+        does not move the tcp."""
+        jac, relax = self.jacobian(), homewards * (self.home - q)
+        squared = jac @ jac.T + DAMPING
+        mujoco.mju_cholFactor(squared, 0.0)
+        mujoco.mju_cholSolve(self._solved, squared, error - jac @ relax)
+        return np.maximum(np.minimum(jac.T @ self._solved + relax, LONGEST_STEP), -LONGEST_STEP)
+
+    def settled(self, q: Array, target: Pose) -> Array | None:
+        """Where the arm comes to when its tcp stays at `target` and its null space goes home, from the solution `q`; None if a
+        joint is near its limit then, where it can hardly follow."""
+        for _ in range(SETTLING):
+            q = q + self._step(q, self._missing(q, target), SETTLING_GAIN)
+        found = self.refine(q, target)
+        at_ease = found is not None and (found > self.low + AT_EASE).all() and (found < self.high - AT_EASE).all()
+        return found if at_ease else None
 
     def ways(self, target: Pose, near: Array) -> list[Array]:
         """Configurations that reach `target` or nearly so, one a way of doing it, in no order; `refine` makes them exact."""

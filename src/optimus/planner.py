@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from optimus.logic import Facts, Operator, Skeleton, obstructs, skeletons
+from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.predicates import facts_of, holds
 from optimus.skills import SKILLS, Workspace
@@ -43,10 +43,14 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
+    put_down: Operator | None = None
+    """What the culprit takes its thing for, or the culprit itself if it puts one down."""
     aim: Operator | None = None
     """What the culprit was to pick its thing up for, if no way to hold it would have done for that."""
     trying: Operator | None = None
     """What it was at when it ran out of time."""
+    involved: set[str] = field(default_factory=set)
+    """What had to do with the latest failure."""
     vain: dict[Hashable, Counter[str]] = field(default_factory=dict)
     """Pick-ups known to be for nothing, and what was in the way of what they were for."""
 
@@ -54,29 +58,31 @@ class _Binding:
         """The steps that carry `skeleton` out from `state`, or None."""
         if not skeleton:
             return ()
-        operator = skeleton[0]
-        aim = _aim(operator, skeleton[1:])
+        operator, put_down = skeleton[0], _put_down(skeleton)
+        aim = put_down if operator.skill == Pick.name else None
         self.trying = aim or operator
         case = (operator, aim, _surroundings(self.workspace, state, operator.args[0]))
         if case in self.vain:
-            self._remember(operator, depth, self.vain[case], aim)
+            self._remember(operator, depth, self.vain[case], put_down, aim)
             return None
         self.workspace.failures.clear()
         answers: list[bool] = []
         self.workspace.purpose = None if aim is None else self._purpose(aim, answers)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
-            rest = None
+            rest, self.involved = None, set(operator.args)
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
                 rest = self.bind(skeleton[1:], after, depth + 1)
             if rest is not None:
                 return (Step(operator, segments, after), *rest)
+            if not self._could_help(operator):
+                return None
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
+        blame, in_vain = self._blame(), bool(answers) and not any(answers)
         if in_vain:
             self.vain[case] = blame
-        self._remember(operator, depth, blame, aim if in_vain else None)
+        self._remember(operator, depth, blame, put_down, aim if in_vain else None)
         return None
 
     def _purpose(self, aim: Operator, answers: list[bool]) -> Purpose:
@@ -93,20 +99,23 @@ class _Binding:
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _blame(self, operator: Operator) -> Counter[str]:
-        names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
-        return Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+    def _blame(self) -> Counter[str]:
+        """How often each thing was in the way."""
+        return Counter(name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b))
 
-    def _remember(self, operator: Operator, depth: int, blame: Counter[str], aim: Operator | None) -> None:
+    def _remember(
+        self, operator: Operator, depth: int, blame: Counter[str], put_down: Operator | None, aim: Operator | None
+    ) -> None:
+        self.involved = {*blame, *operator.args}
         if depth > self.deepest:
-            self.deepest, self.culprit, self.blame, self.aim = depth, operator, blame, aim
+            self.deepest, self.culprit, self.put_down, self.aim = depth, operator, put_down, aim
+            self.blame = Counter({n: times for n, times in blame.items() if n not in ("robot", *operator.args[:1])})
 
-
-def _aim(operator: Operator, rest: Skeleton) -> Operator | None:
-    """Where the thing that `operator` picks up is put down next."""
-    following = next((o for o in rest if o.args[:1] == operator.args[:1]), None)
-    puts = following is not None and isinstance(SKILLS[following.skill], Place)
-    return following if operator.skill == Pick.name and puts else None
+    def _could_help(self, operator: Operator) -> bool:
+        """Whether to do `operator` otherwise could undo the latest failure: not if it moved a thing that had nothing to do with it,
+        nor stands now where something was to go."""
+        things = operator.args if puts_down(operator) else operator.args[:1]
+        return operator.args[0] not in self.workspace.scene.movable_names or not self.involved.isdisjoint(things)
 
 
 def _surroundings(workspace: Workspace, state: State, thing: str) -> Hashable:
@@ -121,9 +130,26 @@ def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
     return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
 
 
+def puts_down(operator: Operator) -> bool:
+    """Whether it lets go of its first argument."""
+    return isinstance(SKILLS.get(operator.skill), Place)
+
+
+def _put_down(skeleton: Skeleton) -> Operator | None:
+    """The first operator of `skeleton` that puts down what the very first one deals with."""
+    return next((o for o in skeleton if o.args[:1] == skeleton[0].args[:1] and puts_down(o)), None)
+
+
 def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
-    """The operators, those that pick a thing up also deleting what was learned of its being in the way."""
-    freed = {o: frozenset(a for a in learned if o.skill == "pick" and a.args[0] == o.args[0]) for o in operators}
+    """The operators, those that pick a thing up also deleting what was learned of its being in the way. A thing that is in the way
+    of its own being put somewhere has to be put down elsewhere first: so it stands otherwise, and can be taken otherwise."""
+
+    def frees(operator: Operator, atom: Atom) -> bool:
+        blocker, _, *args = atom.args
+        own = args[:1] == [blocker]
+        return operator.args[:1] == (blocker,) and (puts_down(operator) if own else operator.skill == Pick.name)
+
+    freed = {o: frozenset(a for a in learned if frees(o, a)) for o in operators}
     return tuple(replace(o, deletes=o.deletes | freed[o]) if freed[o] else o for o in operators)
 
 
@@ -154,7 +180,7 @@ def solve(
             return Plan(state, steps, stats)
         failed.add(tuple(map(str, skeleton)))
         last = _explain(binding)
-        learned = learned | _lesson(binding, workspace)
+        learned = learned | _lesson(binding, workspace, learned)
     return last
 
 
@@ -162,12 +188,16 @@ def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skele
     return next((s for s in candidates if tuple(map(str, s)) not in failed), None)
 
 
-def _lesson(binding: _Binding, workspace: Workspace) -> Facts:
-    """The movables that stood in the way of the skill that could not be done."""
+def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
+    """The movables that stood in the way of the skill that could not be done. If nothing new did, and it can be held
+    so that it could be put where it was to go, then it cannot be taken so as it stands."""
     if binding.culprit is None:
         return frozenset()
-    movable = [n for n in binding.blame if n in workspace.scene.movable_names]
-    return frozenset(obstructs(name, binding.culprit) for name in movable)
+    culprit, put_down = binding.culprit, binding.put_down
+    found = frozenset(obstructs(name, culprit) for name in binding.blame if name in workspace.scene.movable_names)
+    if found <= learned and put_down is not None and binding.aim is None:
+        found |= {obstructs(put_down.args[0], put_down)}
+    return found
 
 
 def _explain(binding: _Binding) -> Infeasible:

@@ -125,6 +125,15 @@ def interpolate(start: Pose, end: Pose, fraction: float) -> Pose:
     return Pose(start.pos + fraction * error[:3], quat_mul(turn, start.quat))
 
 
+def turn_towards(a: Array, b: Array, at_most: float = np.pi) -> Array:
+    """The quaternion `(4,) wxyz` of the shortest rotation from direction `a` `(3,)` towards `b`, of `at_most` [rad]."""
+    axis = np.cross(a, b)
+    sine = float(np.linalg.norm(axis))
+    if sine < 1e-9:  # no way is the shortest
+        return np.array([1.0, 0.0, 0.0, 0.0])
+    return quat_from_rotvec(axis / sine * min(float(np.arctan2(sine, a @ b)), at_most))
+
+
 def look_at(pos: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)) -> Array:
     """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre."""
     z = np.asarray(pos, float) - np.asarray(target, float)

@@ -14,8 +14,8 @@ from optimus.world import World
 
 KP = 400.0
 """Stiffness [1/s^2], position and rotation alike; damping is critical."""
-NULL_KP = 10.0
-"""Stiffness of the pull towards home in the null space [1/s^2]."""
+NULL_KP = 30.0
+"""Stiffness of the pull towards home in the null space [1/s^2]: as quick as plans suppose (`kinematics.NULL_SPACE_GAIN`)."""
 
 LIMIT_MARGIN, LIMIT_KP = 0.15, 400.0
 """Nearer to a joint's limit than this [rad], the null space pushes it away with this stiffness [1/s^2]: a joint at its limit can no
@@ -42,7 +42,8 @@ class OperationalSpace(PoseTarget):
         mass_inv_jt = np.linalg.inv(mass) @ jac.T
         task_mass = np.linalg.inv(jac @ mass_inv_jt + 1e-3 * np.eye(6))
         wrench = task_mass @ (KP * self.target_error(data) - 2.0 * np.sqrt(KP) * (jac @ qvel))
-        relax = mass @ self._relaxation(q, qvel)
+        pull = self._relaxation(q, qvel)
+        relax = mass @ (pull - jac.T @ np.linalg.solve(jac @ jac.T + 1e-5 * np.eye(6), jac @ pull))
         # what of it moves the tcp is taken out again (dynamically consistent projection)
         relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))
         return arm.torque(jac.T @ wrench + relax, data)

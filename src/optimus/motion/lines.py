@@ -19,7 +19,7 @@ RESPONSE = 0.1
 """What the controller smooths motions over, about [s]."""
 SLOWEST = 0.03
 """No limit slows the tcp down further [m/s]: where it hardly moves, the joints take the time that the controller gives them."""
-MAX_JOINT_STEP = 0.35
+MAX_JOINT_STEP = 0.22
 """A larger change between waypoints is a jump to another arm configuration, not a motion [rad]."""
 
 UNREACHABLE = Blocked("robot", "its joint limits")

@@ -9,16 +9,17 @@ from typing import ClassVar
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
+from optimus.motion.plan import Segment
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Pose, quat_from_rotvec, quat_mul
-from optimus.skills.skill import Refinement, Workspace, gripper_action
+from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import Held, State
 
 UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
 """Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
-LEANING = tuple(np.radians((-75.0, -60.0, -45.0, -30.0, -90.0)))
-"""The same where there is a roof."""
+LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
+"""The same where there is a roof: with the hand either way up."""
 
 
 class Pick:
@@ -56,23 +57,31 @@ class Pick:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, purpose = args[0], workspace.purpose
-        for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
-            held = Held(thing, goal.inverse @ state.poses[thing])
-            taken = replace(state, tcp=goal, held=held, opening=0.0)
-            if purpose is not None and not purpose.possible(taken):
-                continue
-            for way in workspace.ways(state, goal):
-                reach = workspace.travel("reach", state, way.corners, False, rng, way.straight)
-                if reach is None:
-                    continue
-                q = reach.q[-1]
-                taken = replace(taken, q=q)
-                back = workspace.way_back(taken, goal, way)
-                lift = workspace.travel("lift", taken, back, True, rng)
-                if lift is None:
-                    continue
-                after = replace(taken, q=lift.q[-1], tcp=back[-1]).moved(thing, back[-1] @ held.tcp_from_object)
-                yield (reach, gripper_action("close", q, goal, True), lift), after
+        grasps = workspace.order(list(self.grasps(workspace, state, thing)), rng)
+        goals = (
+            goal
+            for goal in grasps
+            if workspace.fits(state, goal) and (purpose is None or purpose.possible(_held(state, thing, goal)))
+        )
+        for way, reach in workspace.approaches("reach", state, goals, False, rng):
+            yield from self._lift(workspace, state, thing, way, reach, rng)
+
+    def _lift(
+        self, workspace: Workspace, state: State, thing: str, way: Way, reach: Segment, rng: np.random.Generator
+    ) -> Iterator[Refinement]:
+        """The rest after `reach`, if it can be done."""
+        q, goal = reach.q[-1], reach.end
+        taken = replace(_held(state, thing, goal), q=q)
+        back = workspace.way_back(taken, goal, way)
+        lift = workspace.travel("lift", taken, back, True, rng)
+        if lift is not None and taken.held is not None:
+            after = replace(taken, q=lift.q[-1], tcp=back[-1]).moved(thing, back[-1] @ taken.held.tcp_from_object)
+            yield (reach, gripper_action("close", q, goal, True), lift), after
+
+
+def _held(state: State, thing: str, tcp: Pose) -> State:
+    """`state` with `thing` in the hand, where it stands."""
+    return replace(state, tcp=tcp, held=Held(thing, tcp.inverse @ state.poses[thing]), opening=0.0)
 
 
 def _turned(workspace: Workspace, pose: Pose, tilt: float) -> float:

@@ -10,11 +10,12 @@ from typing import ClassVar
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
+from optimus.motion.plan import Segment
 from optimus.objects.shapes import Surface
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
-from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat
-from optimus.skills.skill import Refinement, Workspace, gripper_action
+from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
+from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import State
 
 RELEASE_GAP = 0.001
@@ -70,44 +71,47 @@ class Place:
     ) -> Iterator[Pose]:
         """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical."""
         assert state.held is not None
-        upright = _levelled(state.tcp, workspace.home)
+        hand = _stood_up(state, thing)
+        upright = _levelled(hand, workspace.home)
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
-        if _heading(state.tcp) is not None:  # leaning into something: never from behind
+        if _heading(hand) is not None:  # leaning into something: never from behind
             turns = [0.0, 0.4, -0.4, 0.8, -0.8]
-        height = state.tcp.pos[2] - _lowest(workspace, state, thing)
+        half = np.array(workspace.scene.shape_of(thing).half_extents)
         for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
             for yaw in workspace.order(turns, rng):
                 quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
                 # the thing, not the tcp, goes over the spot
-                offset = Pose(np.zeros(3), quat).transform(state.held.tcp_from_object.pos)
-                pos = np.array([*(point - offset)[:2], point[2] + height + RELEASE_GAP])
-                yield Pose(pos, quat)
+                put = Pose(np.zeros(3), quat) @ state.held.tcp_from_object
+                above = np.abs(put.matrix[2]) @ half + RELEASE_GAP
+                yield Pose(point - put.pos + (0.0, 0.0, above), quat)
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
-        """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the ways there."""
+        """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the whole ways there."""
         thing, support = args
         targets = islice(self.targets(workspace, state, thing, support, rng), QUICK_TARGETS)
-        return any(workspace.fits(state, goal) for goal in targets)
+        return any(workspace.fits(state, goal) and next(workspace.ways(state, goal), None) is not None for goal in targets)
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, support = args
+        targets = self.targets(workspace, state, thing, support, rng)
+        for way, carry in workspace.approaches("carry", state, targets, True, rng):
+            yield from self._release(workspace, state, thing, way, carry, rng)
+
+    def _release(
+        self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator
+    ) -> Iterator[Refinement]:
+        """The rest after `carry`, if it can be done."""
         assert state.held is not None
-        for goal in self.targets(workspace, state, thing, support, rng):
-            for way in workspace.ways(state, goal):
-                carry = workspace.travel("carry", state, way.corners, True, rng, way.straight)
-                if carry is None:
-                    continue
-                q = carry.q[-1]
-                put = goal @ state.held.tcp_from_object
-                left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
-                back = workspace.way_back(left, goal, way)
-                retreat = workspace.travel("retreat", left, back, False, rng)
-                if retreat is None:
-                    continue
-                after = replace(left, q=retreat.q[-1], tcp=back[-1])
-                yield (carry, gripper_action("open", q, goal, False), retreat), after
+        q, goal = carry.q[-1], carry.end
+        put = goal @ state.held.tcp_from_object
+        left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
+        back = workspace.way_back(left, goal, way)
+        retreat = workspace.travel("retreat", left, back, False, rng)
+        if retreat is not None:
+            after = replace(left, q=retreat.q[-1], tcp=back[-1])
+            yield (carry, gripper_action("open", q, goal, False), retreat), after
 
 
 class Stack(Place):
@@ -142,14 +146,16 @@ def _heading(tcp: Pose) -> float | None:
     return float(np.arctan2(y, x)) if np.hypot(x, y) > 0.2 else None
 
 
+def _stood_up(state: State, thing: str) -> Pose:
+    """The tcp's pose, turned so that what is held stands upright on the side that is nearly down."""
+    axes = state.poses[thing].matrix
+    up = axes[:, int(np.abs(axes[2]).argmax())]
+    return Pose(state.tcp.pos, quat_mul(turn_towards(up, np.array([0.0, 0.0, np.sign(up[2])])), state.tcp.quat))
+
+
 def _levelled(tcp: Pose, home: Pose) -> Array:
-    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt: what is held stays as upright as it is.
+    """The orientation `(4,) wxyz` nearest to home's yaw that keeps the hand's tilt, so that what is held stays upright.
     A hand that leans is turned to lean away from the arm's base."""
     heading, inverse = _heading(tcp), tcp.quat * np.array([1.0, -1.0, -1.0, -1.0])
     turn = rotvec_from_quat(quat_mul(home.quat, inverse))[2] if heading is None else -heading
     return quat_mul(quat_from_rotvec((0.0, 0.0, turn)), tcp.quat)
-
-
-def _lowest(workspace: Workspace, state: State, thing: str) -> float:
-    """The height of the held thing's lowest point [m], by its bounding box."""
-    return 2 * state.poses[thing].pos[2] - workspace.top_of(state, thing)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import ClassVar, Protocol, TypeVar
@@ -11,12 +11,14 @@ from typing import ClassVar, Protocol, TypeVar
 import numpy as np
 
 from optimus.collision import Blocked, CollisionChecker
-from optimus.kinematics import Kinematics
+from optimus.kinematics import DIFFERENT, Kinematics
 from optimus.logic import Facts, Operator
 from optimus.motion import lines, sampling
 from optimus.motion.plan import Segment
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between
+from optimus.skills import roof
+from optimus.skills.style import Style
 from optimus.state import State
 from optimus.world import World
 
@@ -26,30 +28,6 @@ FASTEST = 0.5
 """No plan is for a faster tcp than this [m/s]."""
 SPEED_SHARE = 0.9
 """Of the joints' speed limits, what a plan makes use of."""
-ROOF_MARGIN = 0.10
-"""The hand reaches this far beyond the tcp, sideways [m]."""
-
-
-@dataclass(frozen=True)
-class Style:
-    """How the expert moves: the imitation-friendly defaults, each by name, so that ablations can change one."""
-
-    transit_clearance: float = 0.06
-    """Sideways motion happens this far above everything that stands about [m]."""
-    approach: float = 0.06
-    """The straight last stretch before a grasp or a release [m]."""
-    retreat: float = 0.09
-    """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
-    corridor: float = 0.15
-    """Fixtures this near to the way sideways are passed over [m]."""
-    hop: float = 0.02
-    """Under a roof, what is held is carried this far above its place [m]."""
-    high: float = 0.45
-    """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
-    detours: int = 4
-    """Arm configurations tried at a pose, where the first is blocked."""
-    shuffle: bool = False
-    """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
 
 
 class OutOfTime(Exception):
@@ -71,8 +49,8 @@ class Way:
     corners: list[Pose]
     straight: int = 1
     """So many of the last lines stay lines: no detour may replace them."""
-    back: Array | None = None
-    """Under a roof: the offset `(3,)` [m] by which the hand leaves first. None: it leaves straight up."""
+    out: list[Pose] | None = None
+    """Under a roof: through what the hand leaves, till it is under the open sky. None: it leaves straight up."""
 
 
 @dataclass(eq=False)
@@ -138,7 +116,7 @@ class Workspace:
         self.checker.look_at(state)
         found = lines.track(self.kinematics, self.checker, state.q, corners)
         if isinstance(found, Blocked) and straight is not None and len(corners) > straight:
-            detour = self._detour(state.q, corners, straight, rng)
+            detour = self._detour(state, corners, straight, rng)
             found = detour if detour is not None else found
         if isinstance(found, Blocked):
             self.failures.append((name, found))
@@ -158,21 +136,51 @@ class Workspace:
         return self.motion(name, found[0], found[1], False)
 
     def _detour(
-        self, q: Array, corners: list[Pose], straight: int, rng: np.random.Generator
+        self, state: State, corners: list[Pose], straight: int, rng: np.random.Generator
     ) -> tuple[Array, tuple[Pose, ...]] | None:
         """By way of home; else by joint motion to the corner where the last `straight` lines begin, then along these."""
+        ends = self.settled(state, corners[-1])
+        starts = [q for q in (self._backwards(state, end, corners[-straight - 1 :]) for end in ends) if q is not None]
+        if not starts:
+            return None
         for height in (self.home.pos[2], self.style.high):
             over = Pose(np.array([*self.home.pos[:2], height]), self.home.quat)
-            known = lines.track(self.kinematics, self.checker, q, [over, *corners])
+            known = lines.track(self.kinematics, self.checker, state.q, [over, *corners])
             if not isinstance(known, Blocked):
                 return known
-        for goal in islice(self.kinematics.solutions(corners[-straight - 1], q), self.style.detours):
-            if isinstance(lines.track(self.kinematics, self.checker, goal, corners[-straight:]), Blocked):
-                continue
-            found = self._by_joints(q, goal, corners[-straight:], rng)
+        for start in starts[: self.style.detours]:
+            found = self._by_joints(state.q, start, corners[-straight:], rng)
             if not isinstance(found, Blocked):
                 return found
         return None
+
+    def _backwards(self, state: State, q: Array, corners: list[Pose]) -> Array | None:
+        """The configuration at the first of `corners` from which the lines through the others lead to `q`, if they are free: looked
+        for from the end, where there is least room."""
+        self.checker.look_at(state)
+        back = lines.track(self.kinematics, self.checker, q, corners[-2::-1])
+        return None if isinstance(back, Blocked) else back[0][-1]
+
+    def settled(self, state: State, goal: Pose) -> Iterator[Array]:
+        """Free configurations at `goal` in which the arm would stay, with whatever it holds in `state`. If there is none, why is
+        added to `failures`."""
+        self.require_time()
+        seen: list[Array] = []
+        blocked: Blocked | None = lines.UNREACHABLE
+        for solution in islice(self.kinematics.solutions(goal, state.q), self.style.postures):
+            q = self.kinematics.settled(solution, goal)
+            if q is None or any(np.abs(q - other).max() < DIFFERENT for other in seen):
+                continue
+            seen.append(q)
+            self.checker.look_at(state)
+            found = self.checker.check(q)
+            if found is None:
+                blocked = None
+                yield q
+            elif blocked is not None:
+                blocked = found
+        if blocked is not None:
+            self.failures.append(("fit", blocked))
 
     def _by_joints(
         self, q: Array, goal: Array, corners: list[Pose], rng: np.random.Generator
@@ -185,36 +193,61 @@ class Workspace:
         return lines.track(self.kinematics, self.checker, q, [*(self.kinematics.fk(p) for p in path[1:]), *corners])
 
     def ways(self, state: State, goal: Pose) -> Iterator[Way]:
-        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof."""
-        if not self.scene.is_roofed(goal.pos, ROOF_MARGIN):
+        """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof, and there
+        only ways that are free as far as the open sky."""
+        if not roof.is_under(self.scene, goal):
             yield Way(self._over_and_down(state, goal, self.transit_height(state, goal)))
             return
-        hop = np.array([0.0, 0.0, self.style.hop])
-        axis = goal.matrix[:, 2]
-        ahead, lean = np.array([1.0, 0.0, 0.0]), float(np.hypot(*axis[:2]))
-        level = np.array([*axis[:2], 0.0]) / lean if lean > 0.2 else ahead
-        for direction in (level, ahead, axis):
-            far = self._way_out(goal.pos, -direction)
-            if far is None:
-                continue
-            back = -far * direction
-            into = [goal.shifted(back), goal]
-            if state.held is not None:  # what is held comes in above its place, and is then put down
-                into = [goal.shifted(back + hop), goal.shifted(hop), goal]
-            yield Way(into, straight=len(into) - 1, back=back)
+        ways = [self._into(state, goal, out) for out in roof.ways_out(self.scene, goal)]
+        for q in self.settled(state, goal):
+            for way in list(ways):
+                if self._backwards(state, q, way.corners[-way.straight - 1 :]) is not None:
+                    ways.remove(way)
+                    yield way
 
-    def _way_out(self, point: Array, direction: Array) -> float | None:
-        """How far along `direction` the open sky begins [m]."""
-        lengths = np.arange(0.05, 0.7, 0.05)
-        return next((float(s) for s in lengths if not self.scene.is_roofed(point + s * direction, ROOF_MARGIN)), None)
+    def _into(self, state: State, goal: Pose, out: list[Pose]) -> Way:
+        into = [*reversed(out), goal]
+        if state.held is not None:  # what is held comes in above its place, and is then put down
+            into = [*reversed(self._above(goal, out)), goal]
+        return Way(into, straight=len(into) - 1, out=out)
+
+    def _above(self, goal: Pose, out: list[Pose]) -> list[Pose]:
+        """Corners from `goal` through `out` for a hand that holds something, which is to touch nothing on the way."""
+        off = goal.shifted((0.0, 0.0, self.style.lift_off))
+        return [off, *(pose.shifted((0.0, 0.0, self.style.hop)) for pose in out)]
+
+    def approaches(
+        self, name: str, state: State, goals: Iterable[Pose], shut: bool, rng: np.random.Generator
+    ) -> Iterator[tuple[Way, Segment]]:
+        """Motions to any of `goals`, the first ones first, each with the way that it takes. Ways about are long: of a few goals the
+        straight ones are tried before."""
+        blocked: list[Way] = []
+        for number, goal in enumerate(goals, 1):
+            for way in self.ways(state, goal):
+                motion = self.travel(name, state, way.corners, shut, rng)
+                if motion is None:
+                    blocked.append(way)
+                else:
+                    yield way, motion
+            if number % self.style.at_once == 0:
+                yield from self._ways_about(name, state, blocked, shut, rng)
+                blocked = []
+        yield from self._ways_about(name, state, blocked, shut, rng)
+
+    def _ways_about(
+        self, name: str, state: State, blocked: list[Way], shut: bool, rng: np.random.Generator
+    ) -> Iterator[tuple[Way, Segment]]:
+        for way in blocked:
+            motion = self.travel(name, state, way.corners, shut, rng, way.straight)
+            if motion is not None:
+                yield way, motion
 
     def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
         """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
-        if way.back is None:
+        if way.out is None:
             least = self.style.approach if state.held is not None else self.style.retreat
             return [goal.shifted((0.0, 0.0, max(self.transit_height(state, goal) - goal.pos[2], least)))]
-        hop = np.array([0.0, 0.0, self.style.hop])
-        return [goal.shifted(hop), goal.shifted(way.back + hop)] if state.held is not None else [goal.shifted(way.back)]
+        return self._above(goal, way.out) if state.held is not None else way.out
 
     def _over_and_down(self, state: State, goal: Pose, height: float) -> list[Pose]:
         """Corners of the usual way: straight up to `height` (never down), across while turning, straight down to `goal`."""
@@ -227,17 +260,8 @@ class Workspace:
         return [*corners, goal]
 
     def fits(self, state: State, goal: Pose) -> bool:
-        """Whether the arm can be at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
-        self.require_time()
-        self.checker.look_at(state)
-        blocked = lines.UNREACHABLE
-        for q in islice(self.kinematics.solutions(goal, state.q), self.style.detours):
-            found = self.checker.check(q)
-            if found is None:
-                return True
-            blocked = found
-        self.failures.append(("fit", blocked))
-        return False
+        """Whether the arm can stay at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
+        return next(self.settled(state, goal), None) is not None
 
     def order(self, items: list[T], rng: np.random.Generator) -> list[T]:
         """As they are, or shuffled if the style says so."""

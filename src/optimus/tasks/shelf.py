@@ -26,6 +26,8 @@ RUNGS = {"lower": 0.02, "middle": 0.35, "upper": 0.68}
 """Heights of the rungs' upper faces above the foot, as shares of the shelf's height."""
 EDGE = 0.015
 """Things start this far inside a rung's edge [m]."""
+REACH = 0.85
+"""... and no further than this from the arm's axis [m]: beyond, no hand can be at the lowest rung, whatever way it is turned."""
 
 WOOD, FRAME = (0.72, 0.60, 0.45, 1.0), (0.45, 0.38, 0.30, 1.0)
 OBJECTS: dict[str, Shape] = {
@@ -64,8 +66,10 @@ def draw(sizes: bool, rng: np.random.Generator) -> Problem:
     width, depth, height = (round(v, 2) for v in (width, depth, height))
     scene, shape = scene_of(variant, width, depth, height), OBJECTS[variant]
     inset = footprint(shape) + EDGE
-    x = rng.uniform(-1, 1) * (depth / 2 - inset) + FRONT + depth / 2
-    y = rng.uniform(-1, 1) * (width / 2 - inset)
+    x = y = REACH
+    while np.hypot(x, y) > REACH:
+        x = rng.uniform(-1, 1) * (depth / 2 - inset) + FRONT + depth / 2
+        y = rng.uniform(-1, 1) * (width / 2 - inset)
     z = scene.fixture_poses["lower"].pos[2] + BOARD / 2 + shape.half_extents[2]
     pose = Pose.of((x, y, z), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
     return Problem(scene, {"object": pose}, frozenset({On("object", "middle"), Released("object")}), variant)
