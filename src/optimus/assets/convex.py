@@ -6,6 +6,7 @@ import numpy as np
 import trimesh
 
 from optimus.errors import AssetError
+from optimus.objects.shapes import SECTORS
 
 CONVEX = 0.98
 """A mesh that fills this much of its hull is taken for convex."""
@@ -15,12 +16,10 @@ CONCAVITY, MOST = 0.05, 32
 """CoaCD's threshold, and the most pieces it may make."""
 ITERATIONS, RESOLUTION, COARSE = 60, 1000, 400
 """Of its search, of its samples, and the faces that it is given: a fifth of the time of its own settings, for pieces as close."""
-FOOT = 0.0015
-"""What is nearer to the ground than this stands on it [m]."""
-SECTORS = 12
-"""Of a body of revolution: its walls are then at most 3.4 % of the radius from round."""
 LEAST_VOLUME = 1e-9
 """Smaller pieces are left out [m^3]."""
+FOOT = 0.0015
+"""What is nearer to the ground than this stands on it [m]."""
 
 
 def convex_pieces(mesh: trimesh.Trimesh, symmetric: bool = False) -> list[trimesh.Trimesh]:

@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 
 from optimus.se3 import Array, Pose, quat_from_matrix
 
+SECTORS = 12
+"""Bodies of revolution are made of that many equal ones: a turn by one changes nothing, in physics either."""
+
 Vec3 = tuple[float, float, float]
 Rgba = tuple[float, float, float, float]
 

@@ -10,16 +10,23 @@ import numpy as np
 
 from optimus.logic import Facts, Operator, ground
 from optimus.motion.plan import Segment
+from optimus.objects.shapes import SECTORS, Shape
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
-from optimus.se3 import Pose, quat_from_rotvec, quat_mul
+from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul
 from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import Held, State
 
-UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0)))
+UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 """Turns of a grasp about the line on which the fingers close, the first choice first [rad]."""
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
+
+
+ALIKE = np.radians(8.0)
+"""A grasp that was tried leans as one of these, within this [rad]."""
+OFF_CENTRE = 20.0
+"""To take a thing a metre off its centre of mass is as bad as to turn by this [rad]."""
 
 
 class Pick:
@@ -48,10 +55,11 @@ class Pick:
             at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
+        ways = _verified(shape, at) if shape.verified else None
         for tilt in LEANING if roofed else UPRIGHT:
-            lean = Pose.of(rotvec=(0.0, tilt, 0.0))
-            poses = [at @ grasp.pose @ lean for grasp in shape.grasps]
-            yield from sorted(poses, key=lambda pose: (round(_turned(workspace, pose, tilt), 6), round(pose.quat[0], 6)))
+            poses = _leant(shape, at, tilt) if ways is None else [pose for pose in ways if abs(_tilt(pose) - tilt) < ALIKE]
+            com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
+            yield from sorted(poses, key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
@@ -82,6 +90,31 @@ class Pick:
 def _held(state: State, thing: str, tcp: Pose) -> State:
     """`state` with `thing` in the hand, where it stands."""
     return replace(state, tcp=tcp, held=Held(thing, tcp.inverse @ state.poses[thing]), opening=0.0)
+
+
+def _leant(shape: Shape, at: Pose, tilt: float) -> list[Pose]:
+    """The grasps of a shape of primitives, each turned by `tilt` about the line on which the fingers close."""
+    lean = Pose.of(rotvec=(0.0, tilt, 0.0))
+    return [at @ grasp.pose @ lean for grasp in shape.grasps]
+
+
+def _verified(shape: Shape, at: Pose) -> list[Pose]:
+    """The grasps of a shape as they were tried, with the hand either way up; of a body of revolution, from all around."""
+    around = range(SECTORS) if shape.symmetric else range(1)
+    turns = [at @ Pose.of(rotvec=(0.0, 0.0, 2 * np.pi * k / SECTORS)) for k in around]
+    other_way_up = Pose.of(rotvec=(0.0, 0.0, np.pi))
+    return [pose for turn in turns for g in shape.grasps for pose in (turn @ g.pose, turn @ g.pose @ other_way_up)]
+
+
+def _tilt(pose: Pose) -> float:
+    """How far a hand leans from pointing down [rad]; negative when its x axis, level in a grasp from above, points down."""
+    matrix = pose.matrix
+    return float(np.copysign(np.arccos(np.clip(-matrix[2, 2], -1.0, 1.0)), matrix[2, 0] or -1.0))
+
+
+def _effort(workspace: Workspace, pose: Pose, tilt: float, com: Array) -> float:
+    """What speaks against a grasp: to turn, and to hold a thing far from its centre of mass `com` `(3,)` [rad]."""
+    return round(_turned(workspace, pose, tilt) + OFF_CENTRE * float(np.linalg.norm((pose.pos - com)[:2])), 6)
 
 
 def _turned(workspace: Workspace, pose: Pose, tilt: float) -> float:
