@@ -239,6 +239,7 @@ def test_joints_that_are_not_named_stay_where_they_are(wild: Path) -> None:
         ("home = [0.0, 0.5]", "home = [0.0]", r"home should be 2 numbers"),
         ("home = [0.0, 0.5]", "home = [0.0, 1.5]", r"home is outside the range of spare"),
         ("home = [0.0, 0.5]", "", r"lacks home"),
+        ('hand = "hand"', "", r"lacks hand"),
         ("tcp = {", "tpc = {", r"unknown keys: tpc; valid: .*tcp"),
         ("rpy = [0.0, 1.57", "quat = [0.0, 1.57", r"\[tcp\] has unknown keys: quat; valid: pos, rpy"),
         ("home = [", "home = [[", r"is not a robot file"),

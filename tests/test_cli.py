@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from optimus.collect import CollectConfig, collect
+from optimus.control import CONTROLS
 from optimus.tasks import TASKS
 
 
@@ -35,6 +36,15 @@ def test_tasks_and_help() -> None:
     for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
+
+
+def test_help_names_the_ways_of_control() -> None:
+    assert "{" + ",".join(CONTROLS) + "}" in optimus("collect", "--help").stdout
+
+
+def test_help_loads_no_simulator_and_no_learner() -> None:
+    code = "import sys, optimus.cli; print(*(m for m in ('mujoco', 'torch', 'ompl') if m in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split() == []
 
 
 def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
@@ -66,8 +76,9 @@ def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
 
 def test_bench_expert_has_its_keys() -> None:
     result = result_of("bench", "expert", "stack", "--episodes", "3", "--seed", "77")
-    keys = "task control episodes successes paper_rule_successes plan_seconds episode_steps tracking_error_mm failures"
-    assert set(keys.split()) <= set(result)
+    keys = "task control episodes successes interval paper_rule_successes plan_seconds episode_steps tracking_error_mm"
+    assert {*keys.split(), "branches", "retries", "retried_seeds", "failures", "failed_seeds"} <= set(result)
+    assert "planning_shares" not in result
     assert "invalid_plans" not in result
     assert result["successes"] == 3 and set(result["plan_seconds"]) == {"median", "p95", "max"}
 
@@ -78,6 +89,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
     assert result_of("collect", "stack", "--episodes", "1", "--workers", "1", "--check", "--out", str(tmp_path / "d"))["new"] == 1
     assert "--plan" in refused("show", "stack", "--check")
     assert "expert" in refused("bench", "step", "stack", "--check")
+    assert "expert" in refused("bench", "step", "stack", "--where")
 
 
 def test_bench_collect_render_step_and_action() -> None:

@@ -10,7 +10,8 @@ from scipy.stats import binomtest
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.evaluate import evaluate, play, random_starts, validation_starts, wilson
+from optimus.evaluate import evaluate, play, random_starts, validation_starts
+from optimus.statistics import wilson
 from optimus.tasks import task
 
 

@@ -1,5 +1,6 @@
 """Plans, and what physics says of them."""
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -12,9 +13,12 @@ from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower
 from optimus.logic import Atom
 from optimus.motion.plan import Infeasible, Plan
-from optimus.planner import solve
+from optimus.objects.furniture import bin_of, box_open_in_front
+from optimus.objects.shapes import block
+from optimus.planner import Budget, solve
 from optimus.predicates import On, Released, facts_of
 from optimus.rollout import Perturbation, rollout
+from optimus.scene import Fixture, Movable
 from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.tasks import task
@@ -98,6 +102,35 @@ def test_out_of_reach_is_said_with_the_names() -> None:
     found = solve(Workspace(env.world), state, env.problem.goal, np.random.default_rng(0))
     assert isinstance(found, Infeasible)
     assert found.skill == "pick" and "cubeA" in found.objects and "reach" in found.reason
+
+
+@pytest.mark.parametrize("kind", ["bin", "cell"])
+def test_a_place_too_small_is_named_with_the_thing(kind: str) -> None:
+    """A block 6 cm wide, and a place 3 cm wide with walls about it."""
+    wood = (0.5, 0.4, 0.3, 1.0)
+    shape = bin_of(0.05, 0.05, wood) if kind == "bin" else box_open_in_front(0.05, 0.05, 0.05, wood)
+    problem = task("pick-place").problem(0)
+    small = Fixture("right", shape, (0.5, -0.25, shape.half_extents[2]))
+    fixtures = (*(f for f in problem.scene.fixtures if f.name != "right"), small)
+    scene = replace(problem.scene, fixtures=fixtures, movables=(Movable("object", block(0.06, wood)),))
+    start = Pose.of((0.5, 0.25, 0.05))
+    drawn = replace(problem, scene=scene, poses={"object": start})
+    env = ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn), images=False)
+    env.reset(seed=0)
+    began = time.process_time()
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+    assert time.process_time() - began < 10.0
+    assert isinstance(found, Infeasible)
+    assert (found.reason, found.skill, found.objects) == ("no room", "place", ("object", "right")), found
+    assert "right" in found.blockers
+
+
+def test_out_of_time_is_said_with_the_names() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=0)
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0), Budget(seconds=0.0))
+    assert isinstance(found, Infeasible)
+    assert "time" in found.reason and {"cubeA", "cubeB"} <= set(found.objects)
 
 
 def test_a_goal_that_no_skill_reaches() -> None:

@@ -16,6 +16,7 @@ from optimus.rollout import LAST_LOOK
 from optimus.skills import Workspace
 
 MOST_RETRIES = 3
+"""Times that an episode's plan is given up for another."""
 RETRY_SECONDS = 3.0
 """Planning again is given up after this [s of CPU]."""
 EMPTY_FOR = 4
@@ -45,7 +46,9 @@ class ClosedLoop:
         self._follower = PlanFollower(plan, self._law, self._env.control)
         self._follower.errors = self.errors
         self._empty = self._stuck = self._over = 0
+        """Steps for which the hand has been empty, the arm has got no further, the plan has been over."""
         self._mark: tuple[object, float] = (None, -1.0)
+        """The segment, and how far along it [m], of the step before."""
 
     @property
     def slack(self) -> float:

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from optimus.control import CONTROLS, require_control
-from optimus.correct import Corrections, Turns, require_same_control
-from optimus.data.episode import OSC
+from optimus.correct import Corrections, Turns, require_same_arm
+from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -103,15 +103,15 @@ def _store(out: Path) -> EpisodeStore:
 def open_dataset(config: CollectConfig) -> EpisodeStore:
     """The dataset folder of a collection, made or opened; errors if it belongs to another one."""
     task, control = task_named(config.task), require_control(config.control)
+    robot = task.robot_record(config.robot)
     if config.turns is not None:
-        require_same_control(config.turns, control)
-    scene = task.problem(config.seed, config.robot).scene
-    cameras = compile_scene(scene).image_cameras
+        require_same_arm(config.turns, task, control, robot)
+    cameras = compile_scene(task.problem(config.seed, config.robot).scene).image_cameras
     _require_writable(config.out)
     expert = asdict(config.expert)
     about: dict[str, Any] = {"seed": config.seed, "control": control, **CONTROLS[control].scales, "expert": expert}
-    if scene.robot != task.problem(config.seed).scene.robot:
-        about["robot"] = scene.robot.name
+    if robot != TASKS_OWN:
+        about["robot"] = robot
     if config.turns is not None:
         about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
     return EpisodeStore.create(config.out, task.name, cameras, about)

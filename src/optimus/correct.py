@@ -15,9 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.episode import Observation
+from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
     from optimus.learn.agent import PolicyAgent
+    from optimus.task import Task
 
 
 @dataclass(frozen=True)
@@ -43,11 +45,15 @@ def _agent(run: Path) -> PolicyAgent:
     return PolicyAgent(run)
 
 
-def require_same_control(turns: Turns, control: str) -> None:
-    """`CheckpointError` if the policy that is to act was trained for another way of control."""
+def require_same_arm(turns: Turns, task: Task, control: str, robot: str) -> None:
+    """`CheckpointError` if the policy that is to act was trained for another way of control, or with another robot (`robot` as
+    records have it)."""
     from optimus.learn import checkpoint
 
-    checkpoint.load(turns.policy, control=control)
+    trained_with = checkpoint.load(turns.policy, control=control).inputs.robot
+    if trained_with != robot:
+        have, wanted = task.robot_text(trained_with), task.robot_text(robot)
+        raise CheckpointError(f"{turns.policy} was trained with robot {have}, not {wanted}; name another run, or that robot")
 
 
 class Corrections:

@@ -13,7 +13,7 @@ from optimus.closed_loop import ClosedLoop
 from optimus.data.episode import Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.expert import TimeLaw
-from optimus.motion.plan import Infeasible
+from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
 from optimus.rollout import Meddler, Perturbation, Pushes, rollout
 from optimus.skills import Style, Workspace
@@ -36,6 +36,17 @@ class ExpertConfig:
 
 
 @dataclass(frozen=True, eq=False)
+class Planned:
+    """A plan or why there is none, and what planning again would go on with."""
+
+    plan: Plan | Infeasible
+    workspace: Workspace
+    rng: np.random.Generator
+    seconds: float
+    """CPU time."""
+
+
+@dataclass(frozen=True, eq=False)
 class Attempt:
     """What came of one seed: an episode (also a failed one), or no plan and why."""
 
@@ -49,8 +60,26 @@ class Attempt:
     """Distance of the tcp from the planned path at each step of motion [m]."""
 
     @property
+    def variant(self) -> str:
+        """The branch of the task that the seed drew, or the kind of its object; empty where there is only one."""
+        return str(self.info.get("variant", ""))
+
+    @property
+    def retries(self) -> list[str]:
+        """Why it planned again, each time."""
+        return self.info.get("retried_because", [])
+
+    @property
     def success(self) -> bool:
         return self.episode is not None and self.episode.success
+
+
+def plan_for(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Planned:
+    """The expert's plan for the problem of `seed`, to which `env` has been reset."""
+    began, rng = time.process_time(), np.random.default_rng([seed, 1])
+    workspace = Workspace(env.world, config.style)
+    plan = solve(workspace, env.state(), env.problem.goal, rng, config.budget)
+    return Planned(plan, workspace, rng, time.process_time() - began)
 
 
 def demonstrate(
@@ -61,19 +90,16 @@ def demonstrate(
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
     """
     observation, info = env.reset(seed=seed)
-    planning, pushing = (np.random.default_rng([seed, stream]) for stream in (1, 2))
-    began = time.process_time()
-    workspace = Workspace(env.world, config.style)
-    plan = solve(workspace, env.state(), env.problem.goal, planning, config.budget)
-    seconds = time.process_time() - began
+    planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
+    plan, seconds = planned.plan, planned.seconds
     if isinstance(plan, Infeasible):
         return Attempt(seed, None, f"no plan: {plan}", seconds, {"variant": info["variant"]})
     wrong = validate(plan, env.world.scene, env.problem.goal, config.law) if config.check else []
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    expert, perturbation = ClosedLoop(env, workspace, plan, config.law, planning, config.budget), config.perturbation
-    pushes: Meddler | None = None if perturbation is None else Pushes(perturbation, pushing, env)
+    expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget)
+    pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
 
@@ -81,13 +107,16 @@ def demonstrate(
         return None if pushes is None else pushes.next(seen, label, expert.slack)
 
     episode = rollout(env, observation, expert, "expert", push)
+    info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
+    episode = replace(episode, skeleton=plan.skeleton, info=info)
+    return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)
+
+
+def _facts(expert: ClosedLoop, plan: Plan) -> dict[str, Any]:
     errors = np.array(expert.errors or [0.0])
-    facts = {
-        "perturbed": pushes is not None,
+    return {
         "retries": len(expert.retries),
         "retried_because": expert.retries,
         "tracking_error": {"median": float(np.median(errors)), "max": float(errors.max())},
         "learned": plan.stats["learned"],
     }
-    episode = replace(episode, skeleton=plan.skeleton, info={**episode.info, **facts})
-    return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)

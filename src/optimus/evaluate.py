@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Callable, Sequence
-from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -22,10 +20,14 @@ from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
 from optimus.learn import checkpoint
 from optimus.learn.agent import Component, PolicyAgent
+from optimus.robots import Robot
+from optimus.robots.catalogue import known_robots
+from optimus.robots.catalogue import robot as robot_named
 from optimus.rollout import rollout
 from optimus.show import Film, png
+from optimus.statistics import wilson
 from optimus.tasks import task as task_named
-from optimus.workers import available_cores, executor
+from optimus.workers import finished
 
 RANDOM_SEEDS_FROM = 10_000_000
 """Seeds of random initial states start here, far from those of any dataset."""
@@ -74,16 +76,6 @@ class EvalReport:
         }
 
 
-def wilson(successes: int, episodes: int, z: float = 1.96) -> tuple[float, float]:
-    """The Wilson score interval of a proportion, 95 % for the default `z` (Wilson 1927)."""
-    if episodes == 0:
-        return (0.0, 1.0)
-    p, n = successes / episodes, episodes
-    centre = (p + z * z / (2 * n)) / (1 + z * z / n)
-    half = z / (1 + z * z / n) * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
-    return (max(0.0, centre - half), min(1.0, centre + half))
-
-
 @dataclass(frozen=True, eq=False)
 class Start:
     """An initial state: a seed, and the physics state to start from where one was recorded."""
@@ -105,12 +97,34 @@ def random_starts(episodes: int, seed: int = 0) -> list[Start]:
     return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i) for i in range(episodes)]
 
 
+def trained_robot(run: Path, asked: Robot | None = None) -> Robot | None:
+    """The robot that the policy in `run` was trained with; None for the task's own. `CheckpointError` if another one is asked
+    for, or none where only a robot file can tell."""
+    inputs = checkpoint.load(run).inputs
+    task = task_named(inputs.task)
+    if asked is None and inputs.robot in known_robots():
+        asked = robot_named(inputs.robot)
+    if task.robot_record(asked) != inputs.robot:
+        have, wanted = task.robot_text(inputs.robot), task.robot_text(task.robot_record(asked))
+        raise CheckpointError(f"{run} was trained with robot {have}, not {wanted}; name its own with --robot, or another run")
+    return asked
+
+
+def require_same_problems(run: Path, dataset: Path) -> None:
+    """`DatasetError` if the states of `dataset` are those of another task or robot than the policy in `run` was trained with."""
+    inputs, store = checkpoint.load(run).inputs, EpisodeStore.open(dataset)
+    for what in ("task", "robot"):
+        have, wanted = getattr(store, what), getattr(inputs, what)
+        if have != wanted:
+            raise DatasetError(f"{dataset} was collected with {what} = {have!r}, {run} trained with {wanted!r}; name another")
+
+
 @lru_cache(maxsize=1)
-def _actors(run: Path, component: Component) -> tuple[ManipulationEnv, PolicyAgent]:
+def _actors(run: Path, component: Component, robot: Robot | None) -> tuple[ManipulationEnv, PolicyAgent]:
     torch.set_num_threads(1)
     agent = PolicyAgent(run, component)
     inputs = agent.policy.inputs
-    return ManipulationEnv(task_named(inputs.task), control=inputs.control), agent
+    return ManipulationEnv(task_named(inputs.task), control=inputs.control, robot=trained_robot(run, robot)), agent
 
 
 class _Witness:
@@ -140,8 +154,8 @@ class _Witness:
         return what + (", standing still" if self.moved < 0.001 else "")
 
 
-def _evaluate_one(run: Path, start: Start, seed: int, component: Component) -> Outcome:
-    episode, cause = play(run, start, seed, component)
+def _evaluate_one(run: Path, start: Start, seed: int, component: Component, robot: Robot | None) -> Outcome:
+    episode, cause = play(run, start, seed, component, robot=robot)
     return Outcome(
         seed=start.seed,
         success=episode.success,
@@ -158,9 +172,11 @@ def play(
     seed: int,
     component: Component = "sampled",
     watch: Callable[[ManipulationEnv], None] = lambda env: None,
+    robot: Robot | None = None,
 ) -> tuple[Episode, str]:
-    """One episode of the policy in `run`, and why it failed. A function of the arguments alone."""
-    env, agent = _actors(run, component)
+    """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
+    trained with, needed only where that has no known name."""
+    env, agent = _actors(run, component, robot)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before
@@ -183,17 +199,18 @@ def evaluate(
     workers: int = 0,
     component: Component = "sampled",
     progress: Callable[[int, int], None] = lambda done, successes: None,
+    robot: Robot | None = None,
 ) -> EvalReport:
-    """One episode from each start. The outcomes are the same for any number of workers."""
+    """One episode from each start. The outcomes are the same for any number of workers. `robot`: as for `play`."""
+    trained_robot(run, robot)
     task = checkpoint.read_config(run)["task"]
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
     outcomes: dict[int, Outcome] = {}
-    with executor(min(workers or available_cores(), len(starts))) as pool:
-        futures = {pool.submit(_evaluate_one, run, s, seed + i, component): i for i, s in enumerate(starts)}
-        for future in as_completed(futures):
-            outcomes[futures[future]] = future.result()
-            progress(len(outcomes), sum(o.success for o in outcomes.values()))
+    jobs = [partial(_evaluate_one, run, start, seed + i, component, robot) for i, start in enumerate(starts)]
+    for i, outcome in finished(jobs, workers):
+        outcomes[i] = outcome
+        progress(len(outcomes), sum(o.success for o in outcomes.values()))
     return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))))
 
 
@@ -208,7 +225,14 @@ class FilmedEpisode:
 
 
 def film_outcomes(
-    run: Path, starts: Sequence[Start], report: dict[str, Any], seed: int, component: Component, folder: Path, each: int = 3
+    run: Path,
+    starts: Sequence[Start],
+    report: dict[str, Any],
+    seed: int,
+    component: Component,
+    folder: Path,
+    robot: Robot | None = None,
+    each: int = 3,
 ) -> list[FilmedEpisode]:
     """Films (MP4, and a PNG strip) of the first few successes and failures. The episodes are played again: they are
     functions of their seeds."""
@@ -217,7 +241,7 @@ def film_outcomes(
         chosen = [i for i, o in enumerate(report["outcomes"]) if o["success"] is success][:each]
         for i in chosen:
             outcome, film = report["outcomes"][i], Film()
-            play(run, starts[i], seed + i, component, film)
+            play(run, starts[i], seed + i, component, film, robot)
             path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
             film.write(path)
             write_whole(path.with_suffix(".png"), png(film.strip()))

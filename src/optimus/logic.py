@@ -79,6 +79,11 @@ def ground(kinds: Mapping[str, Iterable[str]], parameters: tuple[str, ...]) -> I
             yield names
 
 
+def atoms_of(facts: Facts, goal: Facts, operators: tuple[Operator, ...]) -> list[Atom]:
+    """Every atom that a problem speaks of; sorted, so that nothing depends on the order of a set."""
+    return sorted(facts.union(goal, *(o.needs | o.adds | o.deletes for o in operators)))
+
+
 @dataclass(eq=False)
 class _Coded:
     """A problem in integers: a set of facts is one, with a bit a fact; operators go by their number."""
@@ -90,8 +95,7 @@ class _Coded:
 
     @staticmethod
     def of(facts: Facts, goal: Facts, operators: tuple[Operator, ...]) -> _Coded:
-        # sorted, so that nothing depends on the order of a set
-        atoms = sorted(facts.union(goal, *(o.needs | o.adds | o.deletes for o in operators)))
+        atoms = atoms_of(facts, goal, operators)
         bits = {atom: 1 << i for i, atom in enumerate(atoms)}
         coded = _Coded(atoms, sum(bits[a] for a in facts), sum(bits[a] for a in goal), operators)
         coded._index(bits)

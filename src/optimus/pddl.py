@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from optimus.logic import OBSTRUCTS, Atom, Facts, Operator
+from optimus.logic import OBSTRUCTS, Atom, Facts, Operator, atoms_of
 
 _FOREIGN = re.compile(r"[^a-z0-9]+")
 
@@ -18,6 +18,7 @@ class Pddl:
     domain: str
     problem: str
     actions: dict[str, Operator]
+    """By the name that each has in the text."""
 
     def plan(self, text: str) -> tuple[Operator, ...]:
         """The operators of a plan file: one `(action)` a line, comments after a semicolon."""
@@ -30,7 +31,7 @@ def to_pddl(facts: Facts, goal: Facts, operators: tuple[Operator, ...], name: st
 
     What was learned to be in the way of an operator becomes a condition that it must not hold.
     """
-    atoms = sorted(facts.union(goal, *(o.needs | o.adds | o.deletes for o in operators)))
+    atoms = atoms_of(facts, goal, operators)
     symbols = dict(zip(atoms, _identifiers(map(str, atoms)), strict=True))
     actions = dict(zip(_identifiers(map(str, operators)), operators, strict=True))
     domain = [f"(define (domain {name})", "  (:requirements :strips :negative-preconditions :action-costs)"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -43,18 +43,31 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
-    involved: set[str] = field(default_factory=set)
-    """What had to do with the latest failure."""
+    aim: Operator | None = None
+    """What the culprit was to pick its thing up for, if no way to hold it would have done for that."""
     put_down: Operator | None = None
     """What the culprit takes its thing for, or the culprit itself if it puts one down."""
+    involved: set[str] = field(default_factory=set)
+    """What had to do with the latest failure."""
+    trying: Operator | None = None
+    """What it was at when it ran out of time."""
+    vain: dict[Hashable, Counter[str]] = field(default_factory=dict)
+    """Pick-ups known to be for nothing, and what was in the way of what they were for."""
 
     def bind(self, skeleton: Skeleton, state: State, depth: int = 0) -> tuple[Step, ...] | None:
         """The steps that carry `skeleton` out from `state`, or None."""
         if not skeleton:
             return ()
         operator = skeleton[0]
+        aim = _put_down(skeleton) if operator.skill == Pick.name else None
+        self.trying = aim or operator
+        case = (operator, aim, _surroundings(self.workspace, state, operator.args[0]))
+        if case in self.vain:
+            self._remember(skeleton, depth, self.vain[case], aim)
+            return None
         self.workspace.failures.clear()
-        self.workspace.purpose = self._purpose(skeleton)
+        answers: list[bool] = []
+        self.workspace.purpose = None if aim is None else self._purpose(aim, answers)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
             rest, self.involved = None, set(operator.args)
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
@@ -66,39 +79,41 @@ class _Binding:
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        self._remember(skeleton, depth)
+        blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
+        if in_vain:
+            self.vain[case] = blame
+        self._remember(skeleton, depth, blame, aim if in_vain else None)
         return None
 
-    def _purpose(self, skeleton: Skeleton) -> Purpose | None:
-        """What comes next of the thing that the first operator picks up."""
-        following = _put_down(skeleton)
-        skill = SKILLS[following.skill] if following else None
-        if skeleton[0].skill != Pick.name or following is None or not isinstance(skill, Place):
-            return None
-        args, rng = following.args, np.random.default_rng(0)
-        return Purpose(args[1], lambda state: skill.possible(self.workspace, state, args, rng))
+    def _purpose(self, aim: Operator, answers: list[bool]) -> Purpose:
+        """What a thing is picked up for; every answer to whether that could be done is noted."""
+        skill, rng = SKILLS[aim.skill], np.random.default_rng(0)
+        assert isinstance(skill, Place)
+
+        def possible(state: State) -> bool:
+            answers.append(skill.possible(self.workspace, state, aim.args, rng))
+            return answers[-1]
+
+        return Purpose(aim.args[1], possible)
 
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _remember(self, skeleton: Skeleton, depth: int) -> None:
-        operator = skeleton[0]
+    def _blame(self, operator: Operator) -> Counter[str]:
         names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
-        self.involved = {*names, *operator.args}
+        return Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+
+    def _remember(self, skeleton: Skeleton, depth: int, blame: Counter[str], aim: Operator | None) -> None:
+        operator, put_down = skeleton[0], _put_down(skeleton)
+        self.involved = {*blame, *operator.args, *(put_down.args if put_down else ())}
         if depth > self.deepest:
-            self.deepest, self.culprit, self.put_down = depth, operator, _put_down(skeleton)
-            self.blame = Counter(n for n in names if n not in ("robot", *operator.args[:1]))
+            self.deepest, self.culprit, self.blame, self.aim, self.put_down = depth, operator, blame, aim, put_down
 
     def _could_help(self, operator: Operator) -> bool:
         """Whether to do `operator` otherwise could undo the latest failure: not if it moved a thing that had nothing to do with it,
         nor stands now where something was to go."""
         things = operator.args if puts_down(operator) else operator.args[:1]
         return operator.args[0] not in self.workspace.scene.movable_names or not self.involved.isdisjoint(things)
-
-
-def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
-    """Every ground operator of the scene."""
-    return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
 
 
 def puts_down(operator: Operator) -> bool:
@@ -109,6 +124,18 @@ def puts_down(operator: Operator) -> bool:
 def _put_down(skeleton: Skeleton) -> Operator | None:
     """The first operator of `skeleton` that puts down what the very first one deals with."""
     return next((o for o in skeleton if o.args[:1] == skeleton[0].args[:1] and puts_down(o)), None)
+
+
+def _surroundings(workspace: Workspace, state: State, thing: str) -> Hashable:
+    """All that decides whether some way of holding `thing` does for what comes next, wherever it stands now on the same support."""
+    others = [(name, pose.pos.tobytes(), pose.quat.tobytes()) for name, pose in sorted(state.poses.items()) if name != thing]
+    roofed = thing in state.poses and workspace.scene.is_roofed(state.poses[thing].pos, 0.0)
+    return tuple(others), tuple(sorted(state.doors.items())), roofed
+
+
+def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
+    """Every ground operator of the scene."""
+    return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
 
 
 def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
@@ -135,16 +162,17 @@ def solve(
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
+    vain: dict[Hashable, Counter[str]] = {}
     for tried in range(budget.skeletons):
         operators = with_unblocking(ground_operators, learned)
         skeleton = _next(skeletons(facts | learned, goal, operators), failed)
         if skeleton is None:
             return last
-        binding = _Binding(workspace, rng, budget)
+        binding = _Binding(workspace, rng, budget, vain=vain)
         try:
             steps = binding.bind(skeleton, state)
         except OutOfTime:
-            return _explain(binding) if binding.culprit else last
+            return _explain(binding) if binding.culprit or tried == 0 else last
         if steps is not None:
             stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
@@ -159,22 +187,25 @@ def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skele
 
 
 def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
-    """The movables that stood in the way of the skill that could not be done. If nothing new did, then no way to take the thing
-    as it stands serves to put it where it was to go."""
+    """The movables that stood in the way of the skill that could not be done. If nothing new did, and some other
+    way to hold the thing would do, then no way to take it as it stands serves to put it where it was to go."""
     if binding.culprit is None:
         return frozenset()
     culprit, put_down = binding.culprit, binding.put_down
     found = frozenset(obstructs(name, culprit) for name in binding.blame if name in workspace.scene.movable_names)
-    if found <= learned and put_down is not None:
+    if found <= learned and put_down is not None and binding.aim is None:
         found |= {obstructs(put_down.args[0], put_down)}
     return found
 
 
 def _explain(binding: _Binding) -> Infeasible:
-    if binding.culprit is None:
-        return Infeasible("planning time spent")
-    o = binding.culprit
+    o = binding.aim or binding.culprit
+    if o is None:
+        o = binding.trying
+        return Infeasible("planning time spent", o.skill, o.args) if o else Infeasible("planning time spent")
     blockers = tuple(name for name, _ in binding.blame.most_common())
-    reason = "out of reach" if blockers and REACH.issuperset(blockers) else "no collision-free way" if blockers else "no room"
+    reason = "no room" if binding.aim or not blockers else "no collision-free way"
+    if blockers and REACH.issuperset(blockers):
+        reason = "out of reach"
     return Infeasible(reason, o.skill, o.args, blockers)
 

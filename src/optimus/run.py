@@ -14,14 +14,16 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from optimus.collect import CollectConfig, Collected, collect
+from optimus.control import require_control
 from optimus.correct import Turns
 from optimus.data.atomic import make_folder, write_json
 from optimus.data.curate import CurationConfig, curate
+from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore, installed_versions
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
@@ -29,6 +31,7 @@ from optimus.evaluate import FilmedEpisode, evaluate, film_outcomes, validation_
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
+from optimus.robots import Robot
 from optimus.summary import RunRecord, summarise
 from optimus.tasks import task as task_named
 
@@ -62,6 +65,16 @@ class RunConfig:
     workers: int = 0
     corrections: bool = True
     """Train a first policy, let it act and the expert answer, and train on those answers too."""
+    control: str = OSC
+    """How actions move the arm; a name of `optimus.control`."""
+    robot: Robot | None = None
+    """Takes the place of the task's own."""
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """What decides about the outcome, JSON-able: a folder is for one of these."""
+        asked = {k: v for k, v in vars(self).items() if k != "workers"}
+        return {**asked, "out": self.out.name, "robot": task_named(self.task).robot_record(self.robot)}
 
     @property
     def wanted(self) -> int:
@@ -69,16 +82,16 @@ class RunConfig:
         return self.demonstrations or max(40, round(DEMONSTRATIONS_PER_MINUTE * self.minutes))
 
 
-class _Journal:
+class Journal:
     """`run.json`: what was asked for, and what each stage took, over all the sessions that it needed."""
 
     def __init__(self, config: RunConfig) -> None:
         self.path = config.out / "run.json"
-        asked = {**asdict(config), "out": str(config.out.name)}
-        asked.pop("workers")
+        asked = config.about
         self.value: dict[str, Any] = {"config": asked, "versions": installed_versions(), "seconds": {}}
         if self.path.exists():
             there = json.loads(self.path.read_text())
+            there["config"] = {"control": OSC, "robot": TASKS_OWN, **there["config"]}
             for key, wanted in asked.items():
                 if there["config"].get(key) != wanted:
                     raise DatasetError(
@@ -113,7 +126,8 @@ class _Journal:
 def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[str, Any]:
     """Everything, from the task's name to the report. Returns `{evaluation, report, ...}`, JSON-able."""
     task_named(config.task)
-    journal = _Journal(config)
+    require_control(config.control)
+    journal = Journal(config)
     data, policy = config.out / "data", config.out / "policy"
     collected = _timed(journal, "collect", lambda: _collect(config, data, progress))
     journal.value.setdefault("plan_seconds", []).extend(collected.plan_seconds)
@@ -140,7 +154,7 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     }
 
 
-def _timed(journal: _Journal, stage: str, work: Callable[[], Any]) -> Any:
+def _timed(journal: Journal, stage: str, work: Callable[[], Any]) -> Any:
     began = time.perf_counter()
     try:
         return work()
@@ -148,20 +162,32 @@ def _timed(journal: _Journal, stage: str, work: Callable[[], Any]) -> Any:
         journal.add(stage, time.perf_counter() - began)
 
 
-def _minutes_left(config: RunConfig, journal: _Journal) -> float:
+def _minutes_left(config: RunConfig, journal: Journal) -> float:
     return max(0.5, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
 
 
 def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collected:
-    wanted = CollectConfig(config.task, data, config.wanted, config.seed, config.workers)
+    wanted = CollectConfig(
+        config.task, data, config.wanted, config.seed, config.workers, control=config.control, robot=config.robot
+    )
     return collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
 
 
 def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
     wanted = max(4, round(CORRECTIONS_PER_MINUTE * config.minutes))
-    expert, seed = ExpertConfig(), config.seed + CORRECTION_SEEDS_FROM
-    seconds = CORRECTION_SHARE * 60 * config.minutes  # a poor first policy spoils most of what it touches
-    asked = CollectConfig(config.task, corrections, wanted, seed, config.workers, expert, Turns(first), seconds)
+    seed = config.seed + CORRECTION_SEEDS_FROM
+    asked = CollectConfig(
+        config.task,
+        corrections,
+        wanted,
+        seed,
+        config.workers,
+        ExpertConfig(),
+        Turns(first),
+        max_seconds=CORRECTION_SHARE * 60 * config.minutes,  # a poor first policy spoils most of what it touches
+        control=config.control,
+        robot=config.robot,
+    )
     collect(asked, lambda done: progress("correct", done, wanted, {}))
 
 
@@ -196,13 +222,13 @@ def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgre
     def note(done: int, successes: int) -> None:
         progress("evaluate", done, config.episodes, {"successes": str(successes)})
 
-    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note).as_dict()
+    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot).as_dict()
     write_json(path, report)
     return report
 
 
 def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[FilmedEpisode]:
     starts = validation_starts(data, config.episodes)
-    return film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films")
+    return film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films", config.robot)
 
 

@@ -15,18 +15,16 @@ from PIL import Image, ImageDraw, ImageFont
 
 from optimus.data.atomic import write_whole
 from optimus.data.episode import IMAGE_SUFFIX, Observation
-from optimus.demonstrate import ExpertConfig
+from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
 from optimus.errors import ModelError
 from optimus.logic import Operator
 from optimus.motion.plan import Infeasible, Plan, Segment, Step
 from optimus.objects.shapes import Rgba
-from optimus.planner import solve
 from optimus.render import Rig
 from optimus.robots import Robot
 from optimus.scene import Camera
 from optimus.se3 import Array
-from optimus.skills import Workspace
 from optimus.state import State
 from optimus.task import Task
 from optimus.validate import validate
@@ -109,7 +107,7 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     env = ManipulationEnv(task, images=False, robot=robot)
     env.reset(seed=seed)
     goal = env.problem.goal
-    plan = solve(Workspace(env.world, config.style), env.state(), goal, np.random.default_rng([seed, 1]), config.budget)
+    plan = plan_for(env, seed, config).plan
     if isinstance(plan, Infeasible):
         raise ModelError(f"no plan for {task.name} with seed {seed}: {plan}")
     wrong = validate(plan, env.world.scene, goal, config.law) if config.check else []

@@ -13,8 +13,10 @@ from optimus.se3 import look_at
 PHYSICS_DT = 0.005
 """[s]; stable under implicitfast with torque control (docs/performance.md)."""
 
-HAND_PREFIX = "robot/"
+ROBOT_PREFIX = "robot/"
+"""Before every name of the robot's model."""
 BAR_SUFFIX = "/bar"
+"""After a door's name: the geom of its bar."""
 SEEN_GROUP, HIDDEN_GROUP = 2, 3
 """MuJoCo draws geoms of groups 0 to 2."""
 
@@ -53,7 +55,7 @@ def add_shape(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> None:
 
 def _mesh(spec: mujoco.MjSpec, mesh: Mesh) -> str:
     """The name of a mesh, which is added once however many bodies have it."""
-    name = f"mesh{id(mesh):x}"
+    name = f"mesh-{mesh.digest}"
     if all(known.name != name for known in spec.meshes):
         added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel().tolist(), userface=mesh.faces.ravel().tolist())
         added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX  # small hulls are too thin for the exact one
@@ -82,6 +84,21 @@ def _add_door(spec: mujoco.MjSpec, root: mujoco.MjsBody, door: Door) -> None:
     )
 
 
+def world_spec(scene: Scene) -> mujoco.MjSpec:
+    """The scene with its robot attached, ready to compile."""
+    spec = mujoco.MjSpec()
+    physics(spec)
+    _set_picture(spec)
+    _add_backdrop(spec)
+    _add_things(spec, scene)
+    for camera in scene.cameras:
+        quat = look_at(camera.pos, camera.target)
+        spec.worldbody.add_camera(name=camera.name, pos=camera.pos, quat=quat, fovy=camera.fovy)
+    frame = spec.worldbody.add_frame(pos=scene.robot.base_pos, quat=scene.robot.base_quat)
+    frame.attach_body(root_body(robot_spec(scene.robot), scene.robot.hand), ROBOT_PREFIX, "")
+    return spec
+
+
 def physics(spec: mujoco.MjSpec) -> None:
     """How all worlds are simulated."""
     spec.compiler.degree = False
@@ -91,16 +108,17 @@ def physics(spec: mujoco.MjSpec) -> None:
     spec.option.impratio = 10.0
 
 
-def world_spec(scene: Scene) -> mujoco.MjSpec:
-    """The scene with its robot attached, ready to compile."""
-    spec = mujoco.MjSpec()
-    physics(spec)
+def _set_picture(spec: mujoco.MjSpec) -> None:
     spec.visual.headlight.ambient = [0.45, 0.45, 0.45]
     spec.visual.headlight.diffuse = [0.45, 0.45, 0.45]
     spec.visual.headlight.specular = [0.1, 0.1, 0.1]
     spec.visual.quality.offsamples = 0
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 10.0
+
+
+def _add_backdrop(spec: mujoco.MjSpec) -> None:
+    """Sky, light, and a floor that is seen and not felt."""
     sky = spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
@@ -120,6 +138,11 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
         contype=0,
         conaffinity=0,
     )
+
+
+def _add_things(spec: mujoco.MjSpec, scene: Scene) -> None:
+    """Fixtures, movables (for the time being out of the way) and doors."""
+    root = spec.worldbody
     for fixture in scene.fixtures:
         body = root.add_body(name=fixture.name, pos=fixture.pose.pos, quat=fixture.pose.quat)
         add_shape(spec, body, fixture.shape)
@@ -132,9 +155,3 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
         for fixture in scene.fixtures:
             if fixture.door == door.name:  # it hangs on the box that it shuts
                 spec.add_exclude(bodyname1=door.name, bodyname2=fixture.name)
-    for camera in scene.cameras:
-        quat = look_at(camera.pos, camera.target)
-        root.add_camera(name=camera.name, pos=camera.pos, quat=quat, fovy=camera.fovy)
-    frame = root.add_frame(pos=scene.robot.base_pos, quat=scene.robot.base_quat)
-    frame.attach_body(root_body(robot_spec(scene.robot), scene.robot.hand), HAND_PREFIX, "")
-    return spec

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from optimus.bench import spread
 from optimus.data.curate import Curation
+from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
-from optimus.evaluate import FilmedEpisode, wilson
+from optimus.evaluate import FilmedEpisode
 from optimus.learn import checkpoint, metrics
 from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData
+from optimus.statistics import quantiles, wilson
 from optimus.tasks import task as task_named
 
 
@@ -36,7 +37,7 @@ def summarise(record: RunRecord) -> ReportData:
     return ReportData(
         title=f"{task.name}: from the task to a policy in {asked['minutes']:g} minutes",
         task=task.name,
-        command=f"optimus run {task.name} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}",
+        command=_command(asked),
         description=f"The task: {task.summary}. The policy sees {' and '.join(record.store.cameras)}, no object's position.",
         config={**asked, "collection": record.store.config, "policy": trained["policy"], "training": trained["train"]},
         versions=record.journal["versions"],
@@ -49,6 +50,13 @@ def summarise(record: RunRecord) -> ReportData:
     )
 
 
+def _command(asked: dict[str, Any]) -> str:
+    """What to type for such a run; a robot that a file describes by its name alone."""
+    words = f"optimus run {asked['task']} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}"
+    usual = {"control": OSC, "robot": TASKS_OWN}
+    return words + "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
+
+
 def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:
     """The expert as it was when it collected: pushed off its path, unless perturbation was off."""
     headers, failed = store.headers(), [store.read_failure(seed) for seed in store.failed_seeds]
@@ -59,7 +67,7 @@ def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:
         successes=len(headers),
         paper_rule_successes=sum(bool(i.get("paper_success")) for i in infos),
         interval=wilson(len(headers), attempts),
-        plan_seconds=spread(plan_seconds),
+        plan_seconds=quantiles(plan_seconds, 95),
         failures=dict(Counter(f["reason"] for f in failed)),
     )
 

@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from optimus.data.episode import TASKS_OWN
 from optimus.errors import ModelError
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
@@ -69,6 +70,14 @@ class Task:
         """The camera of pictures for people."""
         x, y, z = (c + e for c, e in zip(self.close_up, self.eye, strict=True))
         return Camera("people", (x, y, z), self.close_up)
+
+    def robot_record(self, robot: Robot | None) -> str:
+        """What records say of the robot that takes the place of the task's own (None: nothing does): `TASKS_OWN`, or its name."""
+        return TASKS_OWN if robot is None or robot == self.problem(0).scene.robot else robot.name
+
+    def robot_text(self, record: str) -> str:
+        """The same for people: the name in any case."""
+        return f"{self.problem(0).scene.robot.name} ({TASKS_OWN})" if record == TASKS_OWN else record
 
     def over(self, name: str, objects: Objects) -> Task:
         """The same task, under another name, with those objects. `ModelError` if it has none to choose."""

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from optimus.control import CONTROL_HZ
+from optimus.control.osc import KP
 from optimus.expert import TimeLaw
 from optimus.logic import OBSTRUCTS, Atom, Facts
 from optimus.motion.lines import distance
@@ -28,11 +29,12 @@ JUMP = 0.4
 POSE_POSITION, POSE_ANGLE = 0.001, 0.005
 """How well a declared pose agrees with what the model says [m, rad]."""
 UNSEEN = Pose.of((np.inf, 0.0, 0.0))
+"""Of a thing that the replay knows nothing of: far from wherever it is declared to be."""
 STRAY = 0.005
 """How far the tcp may be, between waypoints, from the line of poses that the follower takes [m]."""
-RESPONSE = 0.1
-"""The arm follows its target as a critically damped system of stiffness 400 / s^2 (`control.OscConfig.kp`): with a mean delay of
-2 / sqrt(400) s, over which it evens out how fast the target moves. Speeds are averages over that time [s]."""
+RESPONSE = 2.0 / float(np.sqrt(KP))
+"""The arm follows its target as a critically damped system of stiffness `KP`: with this mean delay, over which it evens out how
+fast the target moves. Speeds are averages over that time [s]."""
 TURNED = 0.02
 """A door is where it is declared to be within this [rad]."""
 

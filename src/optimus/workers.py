@@ -5,9 +5,11 @@ from __future__ import annotations
 import multiprocessing
 import os
 import threading
-from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 
 class _Inline(Executor):
@@ -43,6 +45,21 @@ def executor(workers: int) -> Executor:
         return _Inline()
     context = multiprocessing.get_context("spawn")
     return ProcessPoolExecutor(workers, mp_context=context, initializer=_end_with_parent)
+
+
+def finished(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[tuple[int, T]]:
+    """Run every job, and give its number and its answer as soon as it has ended. `workers` processes (0: one a core) share them
+    out, never more than there are jobs."""
+    with executor(min(workers or available_cores(), len(jobs))) as pool:
+        if isinstance(pool, _Inline):
+            yield from ((i, job()) for i, job in enumerate(jobs))
+            return
+        numbers = {pool.submit(job): i for i, job in enumerate(jobs)}
+        try:
+            for future in as_completed(numbers):
+                yield numbers[future], future.result()
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
 
 
 def available_cores() -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from optimus.errors import ModelError
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose
-from optimus.spec import BAR_SUFFIX, HAND_PREFIX, world_spec
+from optimus.spec import BAR_SUFFIX, ROBOT_PREFIX, world_spec
 from optimus.state import Held, State
 
 OVERLAP = 0.004
@@ -27,8 +27,8 @@ class World:
             raise ModelError(f"the scene does not compile: {error}") from error
         m, robot = self.model, scene.robot
         self.scene = scene
-        joints = [m.joint(HAND_PREFIX + name) for name in robot.joints]
-        fingers = [m.joint(HAND_PREFIX + name) for name in robot.fingers]
+        joints = [m.joint(ROBOT_PREFIX + name) for name in robot.joints]
+        fingers = [m.joint(ROBOT_PREFIX + name) for name in robot.fingers]
         self.arm_qpos = np.array([int(j.qposadr[0]) for j in joints])
         self.arm_dof = np.array([int(j.dofadr[0]) for j in joints])
         self.arm_range = np.array([j.range for j in joints])
@@ -36,10 +36,10 @@ class World:
         self.finger_qpos = np.array([int(j.qposadr[0]) for j in fingers])
         self.finger_shut, self.finger_signs = np.array(robot.finger_shut), np.array(robot.finger_signs)
         actuators = robot.fingers if robot.gripper_actuator is None else (robot.gripper_actuator,)
-        self.gripper_ctrl = np.array([int(m.actuator(HAND_PREFIX + name).id) for name in actuators])
-        self.tcp_site = int(m.site(HAND_PREFIX + "tcp").id)
-        self.hand_body = int(m.body(HAND_PREFIX + robot.hand).id)
-        self.finger_bodies = tuple(int(m.body(HAND_PREFIX + n).id) for n in robot.finger_bodies)
+        self.gripper_ctrl = np.array([int(m.actuator(ROBOT_PREFIX + name).id) for name in actuators])
+        self.tcp_site = int(m.site(ROBOT_PREFIX + "tcp").id)
+        self.hand_body = int(m.body(ROBOT_PREFIX + robot.hand).id)
+        self.finger_bodies = tuple(int(m.body(ROBOT_PREFIX + n).id) for n in robot.finger_bodies)
         self.movable_qpos = {n: int(m.joint(n).qposadr[0]) for n in scene.movable_names}
         self.movable_dof = {n: int(m.joint(n).dofadr[0]) for n in scene.movable_names}
         doors = [d.name for d in scene.doors]
@@ -62,7 +62,7 @@ class World:
         return (*(c.name for c in self.scene.cameras), "robot0_eye_in_hand")
 
     def camera_id(self, name: str) -> int:
-        model_name = HAND_PREFIX + "eye_in_hand" if name == "robot0_eye_in_hand" else name
+        model_name = ROBOT_PREFIX + "eye_in_hand" if name == "robot0_eye_in_hand" else name
         return int(self.model.camera(model_name).id)
 
     # ---- between MuJoCo's vectors and State

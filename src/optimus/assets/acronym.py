@@ -1,6 +1,6 @@
-"""Grasp files in the schema of ACRONYM (Eppner, Mousavian and Fox, 2021), read and written; nothing in them is ever run.
+"""Grasp files in the schema of ACRONYM (Eppner, Mousavian and Fox, 2021), read and written; nothing in them runs.
 
-A transform there is `object_from_gripper`: the gripper's z axis approaches, its fingers open along x, their tips are 0.1122 m ahead.
+A transform is `object_from_gripper`: the gripper's z axis approaches, its fingers open along x, their tips 0.1122 m ahead.
 """
 
 from __future__ import annotations

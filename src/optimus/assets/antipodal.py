@@ -11,8 +11,8 @@ import trimesh
 from optimus.objects.shapes import Grasp
 from optimus.se3 import Array, quat_from_matrix
 
-LEVEL = 0.35
-"""Faces are met from the side: their normals' z component is below this."""
+STEEP, LEVEL = 0.75, 0.15
+"""Faces are met from the side: their normals' z component is below the first; below the second they count as upright."""
 CONE = np.cos(np.radians(20.0))
 """The far face's normal is within 20 degrees of the line on which the fingers close."""
 NARROWEST, CLEARANCE = 0.004, 0.010
@@ -46,15 +46,15 @@ def candidates(
     mesh: trimesh.Trimesh, com: Array, width: float, points_and_pairs: tuple[int, int], rng: np.random.Generator
 ) -> list[Candidate]:
     """Grasps of `mesh` (object's frame [m], z up as it stands) for a hand that opens to `width` [m], from so many points of its
-    surface and of the pairs of faces found there. The line on which the fingers close is level: nothing is tipped by being
-    taken."""
+    surface and of the pairs of faces found there. The pads lie flat against the faces, so that a flared wall is not turned by
+    being taken."""
     count, most = points_and_pairs
     sampled = trimesh.sample.sample_surface(mesh, count, seed=int(rng.integers(2**31)))
     points, faces = np.asarray(sampled[0]), np.asarray(sampled[1])
     normals = mesh.face_normals[faces]
-    side = np.abs(normals[:, 2]) < LEVEL
+    side = np.abs(normals[:, 2]) < STEEP
     points, inward = points[side], -normals[side]
-    inward[:, 2] = 0.0
+    inward[np.abs(inward[:, 2]) < LEVEL, 2] = 0.0
     inward /= np.linalg.norm(inward, axis=1, keepdims=True)
     hits, rays, far = mesh.ray.intersects_location(points + 1e-4 * inward, inward, multiple_hits=True)
     thick = np.linalg.norm(hits - points[rays], axis=1)
@@ -70,6 +70,8 @@ def candidates(
 
 def _candidate(middle: Array, axis: Array, tilt: float, com: Array, opposite: float) -> Candidate:
     down = np.array([0.0, 0.0, -1.0])
+    down -= (down @ axis) * axis
+    down /= np.linalg.norm(down)
     # columns: tcp x, y (closing), z (approaching)
     approach = np.cos(tilt) * down + np.sin(tilt) * np.cross(axis, down)
     matrix = np.column_stack([np.cross(axis, approach), axis, approach])

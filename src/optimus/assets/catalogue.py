@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
+import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import as_completed
+from dataclasses import replace
 from functools import lru_cache
+from importlib import resources
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 from optimus.assets import store
 from optimus.assets.picture import picture, png
 from optimus.assets.thing import Facts, Thing, prepare
-from optimus.errors import UnknownNameError
+from optimus.errors import AssetError, UnknownNameError
 from optimus.objects.blueprint import Blueprint
 from optimus.objects.library import LIBRARY, SMALL
 from optimus.objects.shapes import Shape
@@ -60,7 +65,8 @@ def folders_in(folder: Path) -> dict[str, Path]:
 
 
 def keys_of(objects: str) -> dict[str, str]:
-    """Names and where to find them (see `shape`), of the objects that `19`, `72`, `unseen`, `NAME,NAME...` or a FOLDER of prepared objects stands for; names may be categories."""
+    """Names, and where to find them (see `shape`), of the objects that `19`, `72`, `unseen`, `NAME,NAME...` (or categories) or a
+    FOLDER of prepared objects stands for."""
     if objects in SETS:
         return {name: name for name in SETS[objects]}
     if Path(objects).is_dir() and folders_in(Path(objects)):
@@ -126,7 +132,10 @@ def make(name: str) -> float:
     """Make one object of the library and put it into the cache; the CPU seconds it took."""
     began = time.process_time()
     blueprint = LIBRARY[name]
-    keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name)
+    try:
+        keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name)
+    except AssetError as error:
+        raise AssetError(f"{name} {error}") from error
     return time.process_time() - began
 
 
@@ -150,7 +159,33 @@ def make_all(names: Iterable[str], workers: int, progress: Callable[[str], None]
 
 
 def described(name: str) -> dict[str, Any]:
-    """What is known of an object, JSON-able."""
-    return store.record(folder_of(name))
+    """What is known of an object, JSON-able; `success` is how often the expert picked and placed it, of how many, if measured."""
+    about = store.record(folder_of(name))
+    return {**about, "success": measured().get(about["name"])}
+
+
+@lru_cache(maxsize=1)
+def measured() -> dict[str, tuple[int, int]]:
+    """Successes and episodes of the expert's pick-place, by object, as last measured for docs/results/objects.md."""
+    found = json.loads(resources.files("optimus.assets").joinpath("success.json").read_text())
+    return {name: (int(k), int(n)) for name, (k, n) in found["objects"].items()}
+
+
+def add(thing: Thing) -> str:
+    """Put a thing among the user's own objects, under its name or, if that is taken, the next free one; the name it has there."""
+    taken = {*LIBRARY, *added()}
+    wanted = thing.facts.name
+    name = next(n for n in (wanted, *(f"{wanted}-{k}" for k in count(2))) if n not in taken)
+    named = replace(thing, facts=replace(thing.facts, name=name), shape=replace(thing.shape, kind=name))
+    keep(named, user_folder() / name)
+    return name
+
+
+def remove(name: str) -> None:
+    """Take one of the user's own objects away."""
+    own = added()
+    if name not in own:
+        raise UnknownNameError("object of your own", name, own)
+    shutil.rmtree(own[name])
 
 

@@ -49,6 +49,8 @@ def _write(thing: Thing, folder: Path, picture: bytes) -> None:
         "format": FORMAT,
         **asdict(thing.facts),
         "half_extents": shape.half_extents,
+        "size": [2 * half for half in shape.half_extents],
+        "rest": {"speed": thing.rest[0], "lean": thing.rest[1]},
         "inertia": asdict(shape.inertia),
         "watertight": thing.watertight,
         "volume": thing.volume,

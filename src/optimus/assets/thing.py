@@ -12,7 +12,7 @@ import trimesh
 
 from optimus.assets.antipodal import Candidate, candidates, diverse, lean_of
 from optimus.assets.convex import convex_pieces
-from optimus.assets.trial import GraspTrial, Outcome, stands
+from optimus.assets.trial import REST_LEAN, REST_SPEED, GraspTrial, Outcome, dropped
 from optimus.errors import AssetError
 from optimus.objects.shapes import Grasp, Inertia, Mesh, Part, Rgba, Shape, Vec3
 from optimus.robots import PANDA, Robot
@@ -59,16 +59,18 @@ class Thing:
     com: Vec3
     volume: float
     """[m^3]"""
+    rest: tuple[float, float]
+    """How fast it still moves [m/s] and how far it leans [rad], 2 s after it was let fall from 5 cm."""
 
     @property
     def from_above(self) -> int:
         """How many grasps come from above."""
-        return sum(lean_of(g) < LEANS[0] for g in self.shape.grasps)
+        return sum(bool(lean_of(g) < LEANS[0]) for g in self.shape.grasps)
 
     @property
     def from_the_side(self) -> int:
         """How many come from the side."""
-        return sum(lean_of(g) >= LEANS[1] for g in self.shape.grasps)
+        return sum(bool(lean_of(g) >= LEANS[1]) for g in self.shape.grasps)
 
 
 def shape_of(mesh: trimesh.Trimesh, facts: Facts) -> Shape:
@@ -78,7 +80,7 @@ def shape_of(mesh: trimesh.Trimesh, facts: Facts) -> Shape:
     half = tuple(float(v) for v in mesh.extents / 2)
     half = (half[0], half[1], half[2])
     _require_size(half)
-    pieces = [Part("mesh", mesh=_mesh(piece)) for piece in convex_pieces(mesh)]
+    pieces = [Part("mesh", mesh=_mesh(piece)) for piece in convex_pieces(mesh, facts.symmetric)]
     return Shape(
         kind=facts.name,
         parts=tuple(pieces),
@@ -99,18 +101,22 @@ def prepare(
     """A thing from its mesh, with verified grasps, sampled here or from among those `given` (in the frame of the bounding box's
     middle). `AssetError` says why it cannot be used."""
     shape = shape_of(mesh, facts)
-    if not stands(shape):
-        raise AssetError("does not stand still when it is let fall from 5 cm")
+    speed, lean = rest = dropped(shape)
+    if speed > REST_SPEED or lean > REST_LEAN:
+        state = f"{1000 * speed:.0f} mm/s and {np.degrees(lean):.0f} degrees from upright"
+        raise AssetError(f"does not stand still when it is let fall from 5 cm: {state} after 2 s")
     assert shape.look is not None and shape.inertia is not None
+    com = shape.inertia.com
     centred = trimesh.Trimesh(shape.look.vertices, shape.look.faces, process=False)
     if given is None:
         rng = np.random.default_rng(seed)
-        given = candidates(centred, np.array(shape.inertia.com), 2 * robot.finger_travel, (POINTS, PAIRS), rng)
+        given = candidates(centred, np.array(com), 2 * robot.finger_travel, (POINTS, PAIRS), rng)
     found = verified(shape, given, robot)
     if len(found) < LEAST:
         raise AssetError(f"has {len(found)} grasps that hold, of {len(given)} that geometry allows; {LEAST} are wanted")
     grasps, outcomes = zip(*found, strict=True)
-    return Thing(facts, replace(shape, grasps=grasps), outcomes, bool(mesh.is_watertight), shape.inertia.com, float(centred.volume))
+    shape = replace(shape, grasps=grasps)
+    return Thing(facts, shape, outcomes, bool(mesh.is_watertight), com, float(centred.volume), rest)
 
 
 def verified(shape: Shape, given: Sequence[Candidate], robot: Robot) -> list[tuple[Grasp, Outcome]]:

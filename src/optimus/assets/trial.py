@@ -16,12 +16,12 @@ from optimus.spec import PHYSICS_DT, add_shape, physics
 
 DROP = 0.05
 """Height that a thing is let fall from [m]."""
-REST_SECONDS, REST_SPEED, REST_TURN = 2.0, 0.01, 0.10
+REST_SECONDS, REST_SPEED, REST_LEAN = 2.0, 0.01, 0.08
 """After this long [s] it moves more slowly than this [m/s], and leans less than this [rad]."""
 CLOSE_SECONDS = 0.5
 SHAKE_SECONDS, SHAKE = 0.15, 4.0
 """Each jolt: how long [s] and how hard [m/s^2], in six directions, on top of gravity."""
-SLIP, TURN = 0.008, 0.15
+SLIP, TURN = 0.010, 0.20
 """A grasp holds if the thing moves less than this in the hand [m], and turns less than this [rad], after the fingers closed."""
 DRAG, TIP = 0.015, 0.20
 """... and while they close [m], [rad]."""
@@ -54,8 +54,8 @@ def _ground(spec: mujoco.MjSpec, shape: Shape) -> None:
     add_shape(spec, body, shape)
 
 
-def drop(shape: Shape) -> tuple[Pose, float]:
-    """Let it fall upright from `DROP` on a table: `table_from_object` after `REST_SECONDS`, and its speed then [m/s]."""
+def dropped(shape: Shape) -> tuple[float, float]:
+    """Let it fall upright from `DROP` on a table: its speed [m/s] and how far it leans [rad] after `REST_SECONDS`."""
     spec = mujoco.MjSpec()
     physics(spec)
     _ground(spec, shape)
@@ -63,14 +63,8 @@ def drop(shape: Shape) -> tuple[Pose, float]:
     data = mujoco.MjData(model)
     data.qpos[:7] = [0.0, 0.0, shape.half_extents[2] + DROP, 1.0, 0.0, 0.0, 0.0]
     mujoco.mj_step(model, data, nstep=round(REST_SECONDS / PHYSICS_DT))
-    return Pose(data.qpos[:3].copy(), data.qpos[3:7].copy()), float(np.abs(data.qvel).max())
-
-
-def stands(shape: Shape) -> bool:
-    """Whether it is at rest where it fell, and as upright as it was."""
-    pose, speed = drop(shape)
-    lean = float(np.arccos(np.clip(pose.matrix[2, 2], -1.0, 1.0)))
-    return speed < REST_SPEED and lean < REST_TURN
+    upright = Pose(data.qpos[:3].copy(), data.qpos[3:7].copy()).matrix[2, 2]
+    return float(np.linalg.norm(data.qvel[:3])), float(np.arccos(np.clip(upright, -1.0, 1.0)))
 
 
 @lru_cache(maxsize=4)

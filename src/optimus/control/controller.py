@@ -10,11 +10,13 @@ import numpy as np
 from optimus.se3 import Array
 
 CONTROL_HZ = 20
+"""Actions a second [1/s]."""
 POSITION_SCALE = 0.05
 """An action of 1 moves the target pose by this much a step [m]."""
 ROTATION_SCALE = 0.5
 """... and turns it by this much [rad]."""
 SCALE = np.array([POSITION_SCALE] * 3 + [ROTATION_SCALE] * 3)
+"""Both, as the arm's part of an action has them `(6,)` [m, rad]."""
 JOINT_SCALE = 0.15
 """An action of 1 moves a joint's target by this much a step [rad]: 3 rad/s, somewhat more than the arm can do."""
 

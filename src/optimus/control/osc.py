@@ -7,6 +7,7 @@ from typing import ClassVar
 import mujoco
 import numpy as np
 
+from optimus.control.dynamics import ArmDynamics
 from optimus.control.pose_target import PoseTarget
 from optimus.se3 import Array
 from optimus.world import World
@@ -32,30 +33,24 @@ class OperationalSpace(PoseTarget):
 
     def __init__(self, world: World) -> None:
         super().__init__(world)
-        self._jacp = np.zeros((3, world.model.nv))
-        self._jacr = np.zeros((3, world.model.nv))
-        self._mass = np.zeros((world.model.nv, world.model.nv))
-        self._limits = np.array(world.scene.robot.torque_limits)
-        self._damping = world.model.dof_damping[world.arm_dof].ravel().copy()
+        self._arm = ArmDynamics(world)
 
     def torque(self, data: mujoco.MjData) -> Array:
         """Joint torques `(dof,)` [N m], after `mj_step1`."""
-        w = self.world
-        mujoco.mj_jacSite(w.model, data, self._jacp, self._jacr, w.tcp_site)
-        jac = np.concatenate([self._jacp[:, w.arm_dof], self._jacr[:, w.arm_dof]])
-        mujoco.mj_fullM(w.model, data, self._mass)
-        mass = self._mass[np.ix_(w.arm_dof, w.arm_dof)]
-        qvel = data.qvel[w.arm_dof]
-        mass_inv = np.linalg.inv(mass)
-        mass_inv_jt = mass_inv @ jac.T
+        arm = self._arm
+        jac, mass, q, qvel = arm.jacobian(data), arm.mass(data), arm.q(data), arm.qvel(data)
+        mass_inv_jt = np.linalg.inv(mass) @ jac.T
         task_mass = np.linalg.inv(jac @ mass_inv_jt + 1e-3 * np.eye(6))
         wrench = task_mass @ (KP * self.target_error(data) - 2.0 * np.sqrt(KP) * (jac @ qvel))
-        q = data.qpos[w.arm_qpos]
-        low, high = w.arm_range[:, 0] + LIMIT_MARGIN, w.arm_range[:, 1] - LIMIT_MARGIN
-        off_limits = np.maximum(low - q, 0.0) - np.maximum(q - high, 0.0)
-        pull = NULL_KP * (w.home - q) + LIMIT_KP * off_limits - 2.0 * np.sqrt(NULL_KP) * qvel
+        pull = self._relaxation(q, qvel)
+        # straight home in the joints' own measure, as plans have it, not weighted by inertia
         relax = mass @ (pull - jac.T @ np.linalg.solve(jac @ jac.T + 1e-5 * np.eye(6), jac @ pull))
         # what of it moves the tcp is taken out again (dynamically consistent projection)
         relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))
-        torque = jac.T @ wrench + relax + data.qfrc_bias[w.arm_dof] + self._damping * qvel
-        return np.clip(torque, -self._limits, self._limits)
+        return arm.torque(jac.T @ wrench + relax, data)
+
+    def _relaxation(self, q: Array, qvel: Array) -> Array:
+        """Joint accelerations `(dof,)` [rad/s^2] for the null space: towards home, away from the joints' limits, damped."""
+        low, high = self.world.arm_range[:, 0] + LIMIT_MARGIN, self.world.arm_range[:, 1] - LIMIT_MARGIN
+        off_limits = np.maximum(low - q, 0.0) - np.maximum(q - high, 0.0)
+        return NULL_KP * (self.world.home - q) + LIMIT_KP * off_limits - 2.0 * np.sqrt(NULL_KP) * qvel

@@ -49,7 +49,7 @@ class PoseTarget:
         return error_between(self.target, self.world.tcp(data))
 
     def proprioception(self, data: mujoco.MjData) -> dict[str, Array]:
-        """The target's error."""
+        """The target's error `(6,)` [m, rad]."""
         return {"robot0_target_error": self.target_error(data)}
 
     def action_for(self, twist: Array, data: mujoco.MjData) -> Array:

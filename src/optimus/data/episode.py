@@ -14,6 +14,9 @@ GRIPPER = -1
 OSC = "osc"
 """The way of control where none is recorded."""
 
+TASKS_OWN = "the task's own"
+"""The robot where none is recorded; others are recorded by name."""
+
 
 def arm_parts(control: str, size: int) -> tuple[slice, ...]:
     """The parts of an action of `size` numbers that move the arm, each in one unit: all joints together under joint control,

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
-from optimus.data.episode import OSC, Episode
+from optimus.data.episode import OSC, TASKS_OWN, Episode
 from optimus.data.episode_file import (
     VERSION,
     EpisodeHeader,
@@ -45,6 +45,7 @@ class EpisodeStore:
         self.cameras: tuple[str, ...] = tuple(description["cameras"])
         self.config: dict[str, Any] = description["config"]
         self.control: str = self.config.get("control", OSC)
+        self.robot: str = self.config.get("robot", TASKS_OWN)
         self.versions: dict[str, str] = description.get("versions", {})
 
     @classmethod

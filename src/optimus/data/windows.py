@@ -82,7 +82,7 @@ class Windows:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
-        self.cameras, self.control = store.cameras, store.control
+        self.cameras, self.control, self.robot = store.cameras, store.control, store.robot
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         self._tracks = [_track(header, store.cameras, config) for header in headers]

@@ -17,7 +17,7 @@ from safetensors.torch import save as serialise
 from torch import Tensor
 
 from optimus.data.atomic import write_json, write_whole
-from optimus.data.episode import OSC
+from optimus.data.episode import OSC, TASKS_OWN
 from optimus.errors import CheckpointError
 from optimus.learn.policy import Policy
 
@@ -56,16 +56,14 @@ def save(run: Path, policy: Policy) -> None:
     )
 
 
-def load(run: Path | str, task: str | None = None, control: str | None = None) -> Policy:
-    """The policy trained in the folder `run`; `CheckpointError` if it was for another task or another control."""
+def load(run: Path | str, task: str | None = None, control: str | None = None, robot: str | None = None) -> Policy:
+    """The policy trained in the folder `run`; `CheckpointError` if it was for another task, control or robot (as recorded)."""
     run = Path(run)
     config = read_config(run)
-    inputs = config.get("inputs", {})
-    trained_for, acts_by = inputs.get("task"), inputs.get("control", OSC)
-    if task is not None and task != trained_for:
-        raise CheckpointError(f"{run} was trained for {trained_for!r}, not for {task!r}; name a run of {task!r}")
-    if control is not None and control != acts_by:
-        raise CheckpointError(f"{run} was trained for control {acts_by!r}, not {control!r}; name a run of {control!r}")
+    inputs = {"control": OSC, "robot": TASKS_OWN, **config.get("inputs", {})}
+    for what, wanted in (("task", task), ("control", control), ("robot", robot)):
+        if wanted not in (None, inputs.get(what)):
+            raise CheckpointError(f"{run} was trained for {what} {inputs.get(what)!r}, not {wanted!r}; name a run of {wanted!r}")
     try:
         policy = Policy.from_description(config)
     except (KeyError, TypeError, ValueError) as error:

@@ -12,7 +12,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-from optimus.data.episode import OSC, arm_parts
+from optimus.data.episode import OSC, TASKS_OWN, arm_parts
 from optimus.data.windows import Windows
 from optimus.learn.encoder import Encoder, EncoderConfig
 from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
@@ -55,6 +55,8 @@ class PolicyInputs:
     """Numbers in an action, the gripper's last."""
     control: str = OSC
     """What an action means: the way of control it was recorded with."""
+    robot: str = TASKS_OWN
+    """Whose arm it moves."""
 
     @property
     def arm_parts(self) -> tuple[slice, ...]:
@@ -65,7 +67,8 @@ class PolicyInputs:
     def of(cls, task: str, windows: Windows) -> PolicyInputs:
         """The inputs that a dataset has."""
         sizes = {name: array.shape[1] for name, array in windows.proprioception.items()}
-        return cls(task, windows.cameras, sizes, windows.objects.shape[1], windows.actions.shape[1], windows.control)
+        objects, actions = windows.objects.shape[1], windows.actions.shape[1]
+        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:

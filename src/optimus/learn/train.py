@@ -122,14 +122,14 @@ class _Trainer:
         budget = math.inf if config.steps is not None else 60 * config.minutes
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
         store, curation = EpisodeStore.open(sources.dataset), load_curation(sources.dataset)
-        extra = _corrections(sources.corrections, store.control)
+        extra = _corrections(sources.corrections, store)
         context, crop = policy_config.context, policy_config.crop
         cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
         self.windows = Windows(store, curation.train, cut, extra)
         self.validation = Windows(store, curation.validation, WindowConfig(context, 1, crop))
         self.position_scale: float | None = store.config.get(POSITION_SCALE)
         if sources.initial:
-            policy = checkpoint.load(sources.initial, store.task, store.control).train()
+            policy = checkpoint.load(sources.initial, store.task, store.control, store.robot).train()
         else:
             policy = fresh_policy(policy_config, PolicyInputs.of(store.task, self.windows), config.seed)
             policy.fit_normalisation(self.windows)
@@ -226,13 +226,15 @@ class _Trainer:
         return runtime, plan
 
 
-def _corrections(path: Path | None, control: str) -> list[EpisodeHeader]:
+def _corrections(path: Path | None, of: EpisodeStore) -> list[EpisodeHeader]:
     """All episodes of the dataset of corrections, if there is one; `DatasetError` if their actions mean something else."""
     if path is None:
         return []
     store = EpisodeStore.open(path)
-    if store.control != control:
-        raise DatasetError(f"{path} was collected with control = {store.control!r}, not {control!r}; collect it again")
+    for what in ("control", "robot"):
+        have, wanted = getattr(store, what), getattr(of, what)
+        if have != wanted:
+            raise DatasetError(f"{path} was collected with {what} = {have!r}, not {wanted!r}; collect it again")
     return store.headers()
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -21,11 +23,16 @@ class Mesh:
     vertices: Array
     faces: NDArray[np.int32]
 
+    @cached_property
+    def digest(self) -> str:
+        """Of its content."""
+        return hashlib.sha256(self.vertices.tobytes() + self.faces.tobytes()).hexdigest()[:16]
+
 
 @dataclass(frozen=True)
 class Part:
-    """One convex piece in the object's frame: a primitive (MuJoCo's half-size convention [m], position [m], quaternion wxyz), or the
-    hull of a mesh."""
+    """One convex piece in the object's frame: a primitive (MuJoCo's half-size convention [m], position [m], quaternion wxyz), or
+    the hull of a mesh."""
 
     kind: Literal["box", "cylinder", "sphere", "mesh"]
     size: tuple[float, ...] = ()

@@ -20,17 +20,22 @@ Section = CrossSection
 Point = tuple[float, float]
 Point3 = tuple[float, float, float]
 
-FINENESS = 0.05
-"""Triangles that the surface can do without, give or take this much, are merged away [mm]."""
+FINENESS = (0.05, 0.1, 0.15, 0.2, 0.25)
+"""Triangles that the surface can do without, give or take this much, are merged away [mm]: the first that leaves few enough."""
+MOST_FACES = 3600
+SOLE = 0.2
+"""So much is cut off flat beneath every object: merging leaves an underside uneven [mm]."""
 SEGMENTS = 36
 """Sides of a round thing."""
 
 
 def mesh(solid: Solid) -> trimesh.Trimesh:
-    """The solid in metres."""
+    """The solid in metres, standing on z = 0."""
     import trimesh
 
-    triangles = solid.simplify(FINENESS).to_mesh64()
+    tried = (solid.simplify(tolerance) for tolerance in FINENESS)
+    light = next((one for one in tried if one.num_tri() <= MOST_FACES), solid)
+    triangles = grounded(light, SOLE).to_mesh64()
     vertices = np.asarray(triangles.vert_properties)[:, :3] / 1000.0
     return trimesh.Trimesh(vertices, np.asarray(triangles.tri_verts, dtype=np.int64), process=False)
 
@@ -38,9 +43,9 @@ def mesh(solid: Solid) -> trimesh.Trimesh:
 # ---- sections: figures in the plane ----
 
 
-def polygon(points: Sequence[Point]) -> Section:
+def polygon(points: Sequence[Sequence[float]]) -> Section:
     """The inside of a closed line."""
-    return CrossSection([list(points)], FillRule.EvenOdd)
+    return CrossSection([np.asarray(points, dtype=np.float64)], FillRule.EvenOdd)
 
 
 def circle(radius: float, at: Point = (0.0, 0.0)) -> Section:
@@ -90,14 +95,14 @@ def curve(points: Sequence[Sequence[float]], steps: int = 6) -> list[tuple[float
 
 def lathe(profile: Sequence[Sequence[float]], segments: int = SEGMENTS, corner: float = 0.0) -> Solid:
     """A line of (radius, z) from the lower end of the axis to the upper one, turned about z; its outer corners rounded off."""
-    return Manifold.revolve(soften(_outline(profile), corner).simplify(2 * FINENESS), segments)
+    return Manifold.revolve(soften(_outline(profile), corner).simplify(FINENESS[1]), segments)
 
 
 def vessel(profile: Sequence[Sequence[float]], wall: float = 5.0, segments: int = SEGMENTS, rim: float = 1.8) -> Solid:
     """As `lathe`, but hollow and open above: its wall is so thick everywhere, its edges rounded off."""
     r, z = profile[-1]
     hollow = offset(_outline([*profile, (r, z + 4 * wall)]), -wall)
-    return Manifold.revolve(soften(_outline(profile) - hollow, rim).simplify(2 * FINENESS), segments)
+    return Manifold.revolve(soften(_outline(profile) - hollow, rim).simplify(FINENESS[1]), segments)
 
 
 def _outline(profile: Sequence[Sequence[float]]) -> Section:
@@ -121,9 +126,9 @@ def ellipsoid(x: float, y: float, z: float, segments: int = SEGMENTS) -> Solid:
     return ball(1.0, segments).scale((x, y, z))
 
 
-def ring(radius: float, thickness: float) -> Solid:
-    """A torus about z, its middle line in the plane z = 0."""
-    return Manifold.revolve(CrossSection.circle(thickness / 2, 16).translate((radius, 0.0)), SEGMENTS)
+def ring(radius: float, thickness: float, sides: int = 12) -> Solid:
+    """A torus about z, its middle line in the plane z = 0; so many sides has its section."""
+    return Manifold.revolve(CrossSection.circle(thickness / 2, sides).translate((radius, 0.0)), SEGMENTS)
 
 
 # ---- bodies along a line ----
@@ -131,8 +136,22 @@ def ring(radius: float, thickness: float) -> Solid:
 
 def sweep(path: Sequence[Sequence[float]], bead: Solid | float) -> Solid:
     """What a bead (a convex solid, or the radius of a ball) fills on its way along a path."""
-    solid = ball(bead, 12) if isinstance(bead, float) else bead
-    beads = [solid.translate(tuple(float(c) for c in point)) for point in path]
+    solid = bead if isinstance(bead, Solid) else ball(bead, 12)
+    return _strung([solid.translate(_point(point)) for point in path])
+
+
+def taper(path: Sequence[Sequence[float]], start: float, end: float) -> Solid:
+    """What a ball fills on its way along a path, while its radius goes from one to the other."""
+    radii = np.linspace(start, end, len(path))
+    return _strung([ball(float(r), 12).translate(_point(point)) for r, point in zip(radii, path, strict=True)])
+
+
+def _point(point: Sequence[float]) -> Point3:
+    x, y, z = point
+    return (float(x), float(y), float(z))
+
+
+def _strung(beads: list[Solid]) -> Solid:
     return union(*(Manifold.batch_hull([a, b]) for a, b in pairwise(beads)))
 
 
@@ -157,8 +176,9 @@ def extrude(section: Section, height: float, top: float = 1.0, twist: float = 0.
 
 def plate(section: Section, height: float, edge: float = 2.0, top: float = 1.0) -> Solid:
     """As `extrude`, with all its edges rounded off."""
-    inner = extrude(offset(section, -edge), height - 2 * edge, top)
-    return inner.translate((0, 0, edge)).minkowski_sum(ball(edge, 12))
+    # the Minkowski sum takes the longer, the more corners there are
+    inner = extrude(offset(section, -edge).simplify(FINENESS[1]), height - 2 * edge, top)
+    return inner.translate((0, 0, edge)).minkowski_sum(ball(edge, 8))
 
 
 def box(x: float, y: float, z: float, edge: float = 2.0) -> Solid:

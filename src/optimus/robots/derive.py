@@ -105,15 +105,15 @@ def _actuator_travel(robot: Robot, name: str, model: mujoco.MjModel, data: mujoc
     """The gripper actuator's length with the hand shut and with it open [m]."""
     lengths = []
     for fingers in (robot.finger_shut, robot.finger_open):
-        _pose(robot, model, data, fingers)
+        _take_home(robot, model, data, fingers)
         lengths.append(float(data.actuator_length[model.actuator(name).id]))
     if abs(lengths[1] - lengths[0]) < 1e-6:
         raise RobotFileError(f"the actuator {name} does not move the fingers")
     return (lengths[0], lengths[1])
 
 
-def _pose(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData, fingers: tuple[float, float]) -> None:
-    """Put the arm at home and the fingers where they should be."""
+def _take_home(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData, fingers: tuple[float, float]) -> None:
+    """Put the arm at home and the finger joints at `fingers` [m]."""
     for name, value in zip((*robot.joints, *robot.fingers), (*robot.home, *fingers), strict=True):
         data.qpos[model.joint(name).qposadr[0]] = value
     mujoco.mj_forward(model, data)
@@ -123,7 +123,7 @@ def _touching_at_home(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData) 
     """Bodies of the robot that meet at home, hand shut or open: neighbours whose shapes overlap. The fingers may meet."""
     pairs: set[tuple[str, str]] = set()
     for fingers in (robot.finger_shut, robot.finger_open):
-        _pose(robot, model, data, fingers)
+        _take_home(robot, model, data, fingers)
         for geoms in data.contact.geom[: data.ncon]:
             a, b = sorted(model.body(int(model.geom_bodyid[g])).name for g in geoms)
             pairs.add((a, b))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -26,12 +26,14 @@ KEYS = {
     "base": POSE_KEYS,
     "camera": {"pos", "target", "fovy"},
 }
+"""What each table may hold; "" is the file itself."""
 NEEDED = {
     "": ("model", "joints", "home", "gripper"),
     "gripper": ("joints", "bodies"),
     "gripper.mount": ("body",),
     "gripper.pad": ("pos", "half"),
 }
+"""What each table must hold, if it is there."""
 
 
 def read_robot(path: Path) -> Robot:
@@ -53,44 +55,50 @@ def _robot(raw: dict[str, Any], path: Path) -> Robot:
     top = _Table("", raw)
     gripper = top.table("gripper")
     mount = _mount(gripper, path.parent)
-    prefix = "" if mount is None else GRIPPER_PREFIX
-    joints, fingers = top.words("joints"), tuple(prefix + n for n in gripper.words("joints", 2))
-    bodies = tuple(prefix + n for n in gripper.words("bodies", 2))
-    hand = top.word("hand") if "hand" in raw or mount is None else mount.body
-    actuator = prefix + gripper.word("actuator") if "actuator" in gripper.raw else None
     source = str(find_model(top.word("model"), path.parent))
+    robot = _as_written(top, mount, source, path.stem)
     spec = assemble(source, mount)
-    _require("joint", [*joints, *fingers], spec.joints)
-    _require("body", [*bodies, hand], spec.bodies)
-    _require("actuator", [] if actuator is None else [actuator], spec.actuators)
+    _require("joint", [*robot.joints, *robot.fingers], spec.joints)
+    _require("body", [*robot.finger_bodies, robot.hand], spec.bodies)
+    _require("actuator", [robot.gripper_actuator] if robot.gripper_actuator else [], spec.actuators)
+    return derive(robot, spec, {key for key in ("shut", "open") if key in gripper.raw})
+
+
+def _as_written(top: _Table, mount: Mount | None, source: str, name: str) -> Robot:
+    """The robot as far as the file goes; limits that it leaves out are empty."""
+    gripper, tcp, base, camera = (top.table(key) for key in ("gripper", "tcp", "base", "camera"))
+    prefix, pad = "" if mount is None else GRIPPER_PREFIX, gripper.table("pad")
+    joints = top.words("joints")
     count = len(joints)
-    tcp, base, camera, pad = (top.table("tcp"), top.table("base"), top.table("camera"), gripper.table("pad"))
     robot = Robot(
-        name=top.word("name") if "name" in raw else path.stem,
+        name=top.word("name", name),
         source=source,
         joints=joints,
-        fingers=(fingers[0], fingers[1]),
-        finger_bodies=(bodies[0], bodies[1]),
-        hand=hand,
+        fingers=_two(gripper, "joints", prefix),
+        finger_bodies=_two(gripper, "bodies", prefix),
+        hand=top.word("hand", None if mount is None else mount.body),
         tcp=tcp.vector("pos"),
         tcp_quat=tcp.turn(),
         home=top.numbers("home", count),
-        torque_limits=top.numbers("torque_limits", count) if "torque_limits" in raw else (),
-        speed_limits=top.numbers("speed_limits", count) if "speed_limits" in raw else (),
+        torque_limits=top.numbers("torque_limits", count) if "torque_limits" in top.raw else (),
+        speed_limits=top.numbers("speed_limits", count) if "speed_limits" in top.raw else (),
         finger_shut=gripper.pair("shut"),
         finger_open=gripper.pair("open"),
-        gripper_actuator=actuator,
+        gripper_actuator=prefix + gripper.word("actuator") if "actuator" in gripper.raw else None,
         pad_pos=pad.vector("pos") if pad.raw else None,
         pad_half=pad.vector("half"),
-        camera_pos=camera.vector("pos") if "pos" in camera.raw else CAMERA_POS,
-        camera_target=camera.vector("target") if "target" in camera.raw else CAMERA_TARGET,
+        camera_pos=camera.vector("pos", CAMERA_POS),
+        camera_target=camera.vector("target", CAMERA_TARGET),
         base_pos=base.vector("pos"),
         base_quat=base.turn(),
         mount=mount,
     )
-    if "fovy" in camera.raw:
-        robot = replace(robot, camera_fovy=camera.numbers("fovy", 1)[0])
-    return derive(robot, spec, {key for key in ("shut", "open") if key in gripper.raw})
+    return replace(robot, camera_fovy=camera.numbers("fovy", 1)[0]) if "fovy" in camera.raw else robot
+
+
+def _two(gripper: _Table, key: str, prefix: str) -> tuple[str, str]:
+    first, second = gripper.words(key, 2)
+    return prefix + first, prefix + second
 
 
 def _mount(gripper: _Table, folder: Path) -> Mount | None:
@@ -117,7 +125,7 @@ class _Table:
     raw: dict[str, Any]
 
     def __post_init__(self) -> None:
-        place = f"[{self.where}]" if self.where else "the file"
+        place = self._place
         if not isinstance(self.raw, dict):
             raise RobotFileError(f"{place} is not a table")
         unknown = sorted(set(self.raw) - KEYS[self.where])
@@ -127,6 +135,10 @@ class _Table:
         if self.raw and missing:
             raise RobotFileError(f"{place} lacks {', '.join(missing)}")
 
+    @property
+    def _place(self) -> str:
+        return f"[{self.where}]" if self.where else "the file"
+
     def _name(self, key: str) -> str:
         return f"{self.where}.{key}" if self.where else key
 
@@ -134,13 +146,17 @@ class _Table:
         """A table in this one; empty if it is not there."""
         return _Table(self._name(key), self.raw.get(key, {}))
 
-    def word(self, key: str) -> str:
-        value = self.raw[key]
+    def word(self, key: str, default: str | None = None) -> str:
+        """A name; the file lacks what has no default either."""
+        if key not in self.raw and default is None:
+            raise RobotFileError(f"{self._place} lacks {key}")
+        value = self.raw.get(key, default)
         if not isinstance(value, str) or not value:
             raise RobotFileError(f"{self._name(key)} is not a name: {value!r}")
         return value
 
     def words(self, key: str, count: int | None = None) -> tuple[str, ...]:
+        """So many different names; any number of them without `count`."""
         value = self.raw[key]
         if not isinstance(value, list) or not value or not all(isinstance(v, str) for v in value):
             raise RobotFileError(f"{self._name(key)} is not a list of names: {value!r}")
@@ -148,18 +164,21 @@ class _Table:
             raise RobotFileError(f"{self._name(key)} should be {count or 'some'} different names: {value!r}")
         return tuple(value)
 
-    def numbers(self, key: str, count: int) -> tuple[float, ...]:
-        value = self.raw.get(key, [0.0] * count)
+    def numbers(self, key: str, count: int, default: Sequence[float] = ()) -> tuple[float, ...]:
+        """So many numbers; `default`, or zeros, where the file has none."""
+        value = self.raw.get(key, [*default] or [0.0] * count)
         value = value if isinstance(value, list) else [value]
         if len(value) != count or not all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in value):
             raise RobotFileError(f"{self._name(key)} should be {count} number{'s' if count > 1 else ''}: {self.raw[key]!r}")
         return tuple(float(v) for v in value)
 
-    def vector(self, key: str) -> Vec3:
-        x, y, z = self.numbers(key, 3)
+    def vector(self, key: str, default: Vec3 = (0.0, 0.0, 0.0)) -> Vec3:
+        """Three numbers."""
+        x, y, z = self.numbers(key, 3, default)
         return (x, y, z)
 
     def pair(self, key: str) -> tuple[float, float]:
+        """Two numbers."""
         a, b = self.numbers(key, 2)
         return (a, b)
 

@@ -19,6 +19,8 @@ HIDDEN_GROUP = 4
 GRIPPER_KP, GRIPPER_KV = 2000.0, 300.0
 GRIPPER_FORCE = 60.0
 """Of both fingers together [N]."""
+BEYOND = 0.02
+"""A hand that shuts aims this far beyond its fingers' meeting [m]."""
 FULL_CTRL = 255.0
 """The gripper's control goes from 0, shut, to this, open."""
 ARMATURE = 0.1
@@ -146,6 +148,7 @@ def _drive_gripper(spec: mujoco.MjSpec, robot: Robot) -> None:
 def _drive(actuator: mujoco.MjsActuator, shut: float, wide: float, share: float = 1.0) -> None:
     """Make an actuator hold its length between `shut` and `wide` [m], with a share of the gripper's force."""
     kp, kv, force = share * GRIPPER_KP, share * GRIPPER_KV, share * GRIPPER_FORCE
+    shut -= np.sign(wide - shut) * BEYOND  # thin walls, too, are held with force
     actuator.gaintype, actuator.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_AFFINE
     actuator.dyntype = mujoco.mjtDyn.mjDYN_NONE
     actuator.gainprm[:3] = [kp * (wide - shut) / FULL_CTRL, 0.0, 0.0]

@@ -22,6 +22,7 @@ def find_model(reference: str, folder: Path) -> Path:
 
 
 def _in_package(reference: str) -> Path:
+    """The file of `package:NAME/END`."""
     name, _, end = reference.removeprefix(PACKAGE).partition("/")
     try:
         found = distribution(name)
@@ -43,8 +44,8 @@ def find_mesh(uri: str, urdf: Path) -> Path:
     above the URDF's, as ROS lays its packages out. `RobotFileError` when it is not there."""
     if uri.startswith("package://"):
         inside = uri.removeprefix("package://")
-        own = inside.partition("/")[2]
-        choices = [*(above / inside for above in urdf.parents), *(above / own for above in urdf.parents)]
+        below_name = inside.partition("/")[2]
+        choices = [above / end for end in (inside, below_name) for above in urdf.parents]
     else:
         choices = [urdf.parent / uri.removeprefix("file://")]
     for path in choices:

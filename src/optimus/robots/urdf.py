@@ -19,7 +19,9 @@ log = logging.getLogger(__name__)
 COLLISION_FORMATS = {".stl", ".obj", ".msh"}
 """What MuJoCo reads itself."""
 PREFIX = re.compile(r"[<\s]/?([A-Za-z_][\w.-]*):[A-Za-z_][\w.-]*[\s=>/]")
+"""The namespace of an element or an attribute, before its colon."""
 SHOWN_GROUP, HIDDEN_GROUP = 2, 3
+"""MuJoCo's groups of geoms: which of them renderers draw."""
 SPHERE_RADIUS = 0.03
 """Of the solid sphere that stands in for a link of which only the mass is given [m]."""
 UNLIMITED = 2 * np.pi
@@ -59,6 +61,7 @@ def urdf_speeds(path: Path) -> dict[str, float]:
 
 
 def _parse(path: Path) -> ET.Element:
+    """The root of a URDF, without comments and without what belongs to other programs."""
     try:
         text = path.read_text(encoding="utf-8")
         # other programs' extensions (drake:acceleration, ...) are often left undeclared
@@ -113,6 +116,7 @@ def _resolve_mesh(link: ET.Element, shape: ET.Element, urdf: Path) -> None:
 
 
 def _piece(shape: ET.Element, mesh: ET.Element, part: Part) -> ET.Element:
+    """The visual or collision `shape` with one part of its mesh alone, in that part's colour."""
     piece = ET.Element(shape.tag)
     piece.extend(child for child in shape if child.tag == "origin" or (child.tag == "material" and part.rgba is None))
     ET.SubElement(ET.SubElement(piece, "geometry"), "mesh", {**mesh.attrib, "filename": str(part.path)})

@@ -30,8 +30,8 @@ TASKS: dict[str, str] = {
 
 
 def task(name: str) -> Task:
-    """The task of that name, or of `module:ATTRIBUTE` for one outside the package; `UnknownNameError` lists the known ones. After an
-    `@` comes what it is to be done with: `pick-place@72`, `shelf@mug,bottle-1` (`optimus.assets.catalogue.keys_of`)."""
+    """The task of that name, or of `module:ATTRIBUTE` for one outside the package; `UnknownNameError` lists the known ones.
+    After an `@` comes what it is done with: `pick-place@72`, `shelf@mug,bottle-1` (`optimus.assets.catalogue.keys_of`)."""
     base, _, objects = name.partition("@")
     found = _named(base)
     if not objects:

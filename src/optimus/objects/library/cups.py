@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
-from optimus.objects.library.entry import BLUE, BROWN, CREAM, GLAZED, GOLD, GREEN, METAL, PAPER, PINK, RED, SKY, TAN, WHITE, WOOD, entry
+from optimus.objects.library.entry import (
+    BLUE,
+    BROWN,
+    CREAM,
+    GLAZED,
+    GOLD,
+    GREEN,
+    METAL,
+    PAPER,
+    PINK,
+    RED,
+    SKY,
+    WHITE,
+    WOOD,
+    entry,
+)
 from optimus.objects.solids import (
     Solid,
     arc,
-    around,
     ball,
     box,
     circle,
@@ -21,7 +35,6 @@ from optimus.objects.solids import (
     rectangle,
     ring,
     sweep,
-    turn,
     vessel,
 )
 
@@ -55,7 +68,7 @@ def beer_mug() -> Solid:
 
 
 def paper_cup() -> Solid:
-    sleeve = lathe([(0, 24), (29, 26), (31.2, 62), (0, 64)])
+    sleeve = lathe([(0, 24), (27.2, 25), (30.6, 62), (0, 63)], corner=1)
     return vessel([(0, 0), (23, 0), (31, 90)]) + move(ring(30, 5.5), z=89) + (sleeve - cylinder(24.5, 100, 30.5))
 
 

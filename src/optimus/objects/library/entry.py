@@ -58,4 +58,4 @@ def entry(
 
 
 def _mesh(make: Callable[[], solids.Solid]) -> trimesh.Trimesh:
-    return solids.mesh(solids.grounded(make()))
+    return solids.mesh(make())

@@ -2,23 +2,40 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
-from optimus.objects.library.entry import GREEN, PAPER, PURPLE, RED, YELLOW, colour, entry
-from optimus.objects.solids import Solid, around, ball, curve, ellipsoid, grounded, hull, lathe, move, sweep, turn, union
+from optimus.objects.library.entry import PAPER, PURPLE, RED, YELLOW, colour, entry
+from optimus.objects.solids import (
+    Solid,
+    around,
+    ball,
+    curve,
+    ellipsoid,
+    extrude,
+    grounded,
+    hull,
+    lathe,
+    move,
+    polygon,
+    sweep,
+    turn,
+    union,
+)
 
 
-def _leaf(length: float, width: float) -> Solid:
+def _leaf(length: float, width: float, segments: int = 12) -> Solid:
     """Along +x from the origin."""
-    tip = ball(2.2, 8).translate((length, 0, 0))
-    return hull(ball(2.2, 8), ellipsoid(0.3 * length, width / 2, 2.2, 12).translate((length / 2, 0, 0)), tip)
+    tip = ball(2.2, 4).translate((length, 0, 0))
+    return hull(ball(2.2, 4), ellipsoid(0.3 * length, width / 2, 2.2, segments).translate((length / 2, 0, 0)), tip)
 
 
 def apple() -> Solid:
-    flesh = [(8, 0), (22, 6), (32, 28), (31, 46), (21, 59), (10, 60), (3, 53)]
-    stem = sweep(curve([(0, 0, 48), (1, 0, 60), (6, 0, 72)], 4), 2.6)
-    leaf = turn(_leaf(26, 14), y=-25).translate((2, 0, 62))
-    return lathe([(0, 0), *curve(flesh), (0, 52)]) + stem + leaf
+    flesh = [(9, 0), (22, 6), (30, 26), (30.5, 40), (22, 55), (10, 56), (3, 49)]
+    stem = sweep(curve([(0, 0, 44), (1, 0, 56), (5, 0, 66)], 4), 2.6)
+    leaf = turn(_leaf(26, 14), y=-5).translate((2, 0, 58))
+    return lathe([(0, 0), *curve(flesh), (0, 48)]) + stem + leaf
 
 
 def pear() -> Solid:
@@ -29,40 +46,42 @@ def pear() -> Solid:
 
 
 def banana() -> Solid:
-    """Lying on its side, five-sided."""
+    """Lying on its side, its skin in ten flats."""
     bends = np.radians(np.linspace(-52, 52, 15))
     radii = 3.5 + 12.5 * np.clip(np.cos(bends * 1.62), 0, 1) ** 0.5
     rings = []
     for angle, radius in zip(bends, radii, strict=True):
         slice_ = lathe([(0, -0.5), (radius, -0.5), (radius, 0.5), (0, 0.5)], segments=10)
-        rings.append(turn(slice_, x=90, z=float(np.degrees(angle))).translate((72 * np.cos(angle), 72 * np.sin(angle), 0.0)))
-    stem = hull(rings[-1], ball(4.5, 12).translate((72 * np.cos(1.08), 72 * np.sin(1.08), 0)))
-    return grounded(union(*(hull(a, b) for a, b in zip(rings[:-1], rings[1:], strict=True)), stem), 3.0)
+        rings.append(turn(slice_, x=90, z=float(np.degrees(angle))).translate((68 * np.cos(angle), 68 * np.sin(angle), 0.0)))
+    stem = hull(rings[-1], ball(4.5, 12).translate((68 * np.cos(1.08), 68 * np.sin(1.08), 0)))
+    return grounded(union(*(hull(a, b) for a, b in pairwise(rings)), stem), 3.0)
 
 
 def pineapple() -> Solid:
-    """A body of overlapping scales under a tuft of leaves."""
-    body = ellipsoid(28, 28, 38).translate((0, 0, 36))
-    for row in range(7):
-        z = 8 + 9.5 * row
-        radius = 28 * np.sqrt(max(0.0, 1 - ((z - 36) / 38) ** 2))
-        scale = turn(hull(ellipsoid(2.5, 6, 6, 8), ball(1, 8).translate((3.0, 0, 1.5))), y=0).translate((radius, 0, z))
-        body += around(scale, 11).rotate((0, 0, 16.4 * (row % 2)))
+    """A body of scales under a tuft of leaves."""
+    body = ellipsoid(28, 28, 38, 20).translate((0, 0, 36))
+    scale = extrude(polygon([(-7, 0), (0, -8.5), (8, 0), (0, 8.5)]), 3.0, 0.55)
+    for row in range(6):
+        z = 9 + 10.5 * row
+        radius = 28 * np.sqrt(1 - ((z - 36) / 38) ** 2)
+        lean = float(np.degrees(np.arctan2((z - 36) / 38**2, radius / 28**2)))
+        body += around(turn(scale, y=90 - lean).translate((radius - 1.2, 0, z)), 10).rotate((0, 0, 18 * (row % 2)))
     leaves = Solid()
-    for count, length, tilt, phase in ((7, 34, 48, 0), (6, 42, 66, 25), (4, 48, 80, 10)):
-        leaves += around(turn(_leaf(length, 13), y=-tilt), count).rotate((0, 0, phase))
-    return grounded(body + ball(12, 16).translate((0, 0, 72)) + move(leaves, z=72), 3.0)
+    for count, length, tilt, phase in ((7, 34, 46, 0), (5, 42, 64, 25), (3, 48, 80, 10)):
+        leaves += around(turn(_leaf(length, 13, 4), y=-tilt), count).rotate((0, 0, phase))
+    return grounded(body + ball(12, 16).translate((0, 0, 72)) + move(leaves, z=72), 3.5)
 
 
 def grapes() -> Solid:
     """A bunch lying down, its tip towards +x."""
     places = []
-    for column, (x, count) in enumerate(((-34, 3), (-20, 4), (-6, 3), (8, 3), (21, 2), (33, 1))):
-        places += [(x, 15.5 * (k - (count - 1) / 2), 11.0) for k in range(count)]
-        places += [(x + 6, 15.5 * (k - (count - 2) / 2), 23.0) for k in range(max(0, count - 1 - column // 4))]
+    for column, (x, count) in enumerate(((-34, 2), (-21, 3), (-8, 3), (5, 3), (18, 2), (31, 1))):
+        places += [(x, 13.5 * (k - (count - 1) / 2), 11.0) for k in range(count)]
+        places += [(x + 6, 13.5 * (k - (count - 2) / 2), 23.0) for k in range(max(0, count - 1 - column // 4))]
     berries = union(*(ball(10.5, 14).translate(place) for place in places))
     stem = sweep(curve([(-22, 0, 22), (-42, 0, 24), (-54, 0, 30)], 4), 3.0)
-    return grounded(berries + stem, 2.0)
+    core = sweep([(-30, 0, 15), (20, 0, 14)], ellipsoid(6, 12, 6, 12))
+    return grounded(berries + core + stem, 2.0)
 
 
 THINGS = (

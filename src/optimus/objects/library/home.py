@@ -24,7 +24,6 @@ from optimus.objects.library.entry import (
 )
 from optimus.objects.solids import (
     Solid,
-    arc,
     around,
     ball,
     box,
@@ -81,26 +80,28 @@ def milk_carton() -> Solid:
 
 def closed_book() -> Solid:
     """Lying, its spine round, its pages set back."""
-    return _book(62, 88, 26)
+    return _book(60, 86, 27)
 
 
 def _book(width: float, length: float, height: float) -> Solid:
-    covers = box(width, length, 5, 1.5) + move(box(width, length, 5, 1.5), z=height - 5)
-    pages = move(box(width - 6, length - 8, height - 6, 1), z=3)
-    spine = hull(box(2, length, height, 0.8), turn(cylinder(height / 3, length), x=90).translate((-2, length / 2, height / 2)))
-    return covers + pages + move(spine, x=1.5 - width / 2)
+    covers = box(width, length, 6, 1.0) + move(box(width, length, 6, 1.0), z=height - 6)
+    pages = box(width - 5, length - 8, height - 4, 1.0).translate((0, 0, 2))
+    round_back = turn(cylinder(0.75 * height, length), x=90).translate((0.55 * height, length / 2, height / 2))
+    spine = round_back ^ box(height, 2 * length, height, 1.0)
+    return covers + pages + move(spine, x=0.2 * height - width / 2)
 
 
 def open_book() -> Solid:
     page = curve([(0, 13), (7, 20), (18, 22), (44, 17)], 5)
     half = polygon([(0, 4), *[(x, z) for x, z in page], (45, 4)])
-    pages = turn(extrude(half, 54), x=90).translate((0, 27, 0))
-    ribbon = move(box(6, 62, 6, 1.5), x=10, z=17)
-    return mirrored(pages, (1, 0, 0)) + plate(rectangle(98, 60, 3), 6, 1.5) + ribbon
+    pages = turn(extrude(half, 57), x=90).translate((0, 28.5, 0))
+    ribbon = move(box(6, 57, 6, 1.5), x=10, z=17)
+    return mirrored(pages, (1, 0, 0)) + box(98, 60, 7, 1) + ribbon
 
 
 def book_stack() -> Solid:
-    return _book(64, 84, 20) + turn(_book(58, 76, 18), z=14).translate((1, 0, 19)) + turn(_book(54, 70, 16), z=-9).translate((0, 2, 36))
+    second, third = turn(_book(56, 78, 19), z=12), turn(_book(52, 72, 18), z=-8)
+    return _book(60, 84, 21) + move(second, z=20) + move(third, y=2, z=38)
 
 
 def pillar_candle() -> Solid:
@@ -109,21 +110,22 @@ def pillar_candle() -> Solid:
     for angle, low in ((20, 30), (100, 50), (150, 18), (230, 42), (300, 26)):
         drop = sweep([(27, 0, 72), (28.5, 0, low)], 3.5) + ball(5, 16).translate((28.5, 0, low))
         wax += turn(drop, z=angle)
-    flame = lathe([(0, 0), *curve([(2.5, 0), (9, 12), (6, 24), (0.5, 38)]), (0, 38)])
-    return wax + move(cylinder(2.5, 16), z=62) + move(flame, z=72)
+    flame = lathe([(0, 0), *curve([(3, 0), (9, 12), (6, 24), (2, 36)]), (0, 37)])
+    return wax + move(cylinder(3, 16), z=62) + move(flame, z=72)
 
 
 def candlestick() -> Solid:
     """A saucer with a ring to hold it by, and the candle in it."""
-    saucer = lathe([(0, 0), (32, 0), *curve([(34, 4), (38, 12)]), (38, 15), (34, 15), *curve([(31, 9), (26, 6)]), (0, 6)], corner=1.0)
+    saucer = lathe([(0, 0), (32, 0), (34, 4), (38, 12), (38, 15), (34, 15), *curve([(31, 9), (26, 6)]), (0, 6)], corner=1.0)
     socket = lathe([(0, 4), *curve([(16, 4), (12, 12), (15, 24)]), (15, 28), (0, 28)], corner=1)
-    flame = lathe([(0, 0), *curve([(2.5, 0), (8, 11), (5, 20), (0.5, 34)]), (0, 34)])
-    handle = turn(ring(13, 7), x=90).translate((46, 0, 15))
+    flame = lathe([(0, 0), *curve([(3, 0), (8, 11), (5, 20), (2, 32)]), (0, 33)])
+    handle = turn(ring(13, 7), x=90).translate((46, 0, 18))
     return saucer + socket + cylinder(10.5, 88) + move(flame, z=86) + (handle - cylinder(34, 60))
 
 
 def table_lamp() -> Solid:
-    foot = lathe([(0, 0), (30, 0), (30, 7), *curve([(24, 12), (8, 17), (7, 26), (15, 38), (19, 52), (12, 68), (7, 80)]), (7, 100), (0, 100)])
+    stem = curve([(24, 12), (8, 17), (7, 26), (15, 38), (19, 52), (12, 68), (7, 80)])
+    foot = lathe([(0, 0), (30, 0), (30, 7), *stem, (7, 100), (0, 100)])
     shade = lathe([(0, 88), (38, 88), (24, 144), (0, 144)], corner=2)
     return foot + shade + move(cylinder(4.5, 12), z=142)
 
@@ -156,13 +158,13 @@ def trophy_cup() -> Solid:
     plinth = box(54, 54, 18) + move(box(44, 44, 12), z=16)
     body = [*curve([(20, 28), (7, 36), (6, 50), (22, 64), (30, 92), (32, 112)]), (32, 116), (0, 116)]
     cup = lathe([(0, 26), *body], corner=1.5) - lathe([(0, 74), *curve([(8, 74), (20, 84), (26, 118)]), (0, 118)])
-    handle = sweep(curve([(29, 0, 106), (46, 0, 110), (50, 0, 92), (38, 0, 72), (22, 0, 66)], 4), 4.0)
+    handle = sweep(curve([(29, 0, 106), (46, 0, 110), (50, 0, 92), (38, 0, 72), (22, 0, 66)], 3), 4.0)
     return plinth + cup + (mirrored(handle, (1, 0, 0)) - lathe([(0, 74), (20, 84), (26, 118), (0, 118)]))
 
 
 def star_trophy() -> Solid:
     plinth = lathe([(0, 0), (32, 0), (32, 12), (26, 14), (26, 28), (0, 28)], corner=1.5)
-    stem = lathe([(0, 26), *curve([(14, 26), (6, 40), (8, 62)]), (0, 64)])
+    stem = lathe([(0, 26), *curve([(14, 26), (6, 40), (8, 78)]), (0, 80)])
     front = turn(plate(star(5, 36, 17), 16, 2), x=90).translate((0, 8, 92))
     return plinth + stem + front
 

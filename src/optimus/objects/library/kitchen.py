@@ -13,10 +13,8 @@ from optimus.objects.library.entry import (
     ORANGE,
     PINK,
     PLASTIC,
-    RED,
     SILVER,
     TAN,
-    WHITE,
     WOOD,
     YELLOW,
     colour,
@@ -41,7 +39,9 @@ from optimus.objects.solids import (
     rectangle,
     ring,
     sweep,
+    taper,
     turn,
+    union,
     vessel,
 )
 
@@ -88,7 +88,7 @@ def casserole() -> Solid:
     """Oval, lidded, solid."""
     body = plate(rectangle(88, 62, 30), 40, 4) + move(plate(rectangle(92, 64, 31.5), 7, 2), z=36)
     lid = hull(move(plate(rectangle(84, 58, 28), 6, 2), z=40), move(plate(rectangle(40, 24, 11), 6, 2), z=50))
-    knob = lathe([(0, 0), *curve([(7, 0), (7, 10), (12, 18), (10, 25)]), (0, 27)])
+    knob = cylinder(10, 28, 12.5, 3)
     ear = box(16, 28, 8).translate((48, 0, 28))
     return body + lid + move(knob, z=54) + mirrored(ear, (1, 0, 0))
 
@@ -96,18 +96,17 @@ def casserole() -> Solid:
 def round_teapot() -> Solid:
     body = lathe([(0, 0), (22, 0), (22, 4), *curve([(25, 6), (32, 30), (28, 52), (16, 62)]), (0, 63)], corner=1.0)
     lid = lathe([(0, 58), (18, 58), (18, 63), *curve([(16, 65), (10, 69)]), (0, 71)]) + ball(7, 24).translate((0, 0, 75))
-    spout = sweep(curve([(24, 0, 22), (44, 0, 30), (48, 0, 50), (58, 0, 62)], 4), 5.5)
-    root = hull(ball(10, 16).translate((24, 0, 24)), ball(6, 16).translate((43, 0, 31)))
+    spout = taper(curve([(20, 0, 22), (40, 0, 30), (46, 0, 50), (57, 0, 63)], 4), 13, 4.5)
     handle = sweep([(-28 + 1.1 * x, 0, 34 + z) for x, _, z in arc(20, 75, 285, 14)], ellipsoid(4.5, 6, 4.5, 12))
-    return body + lid + spout + root + handle
+    return body + lid + spout + handle
 
 
 def hooped_teapot() -> Solid:
     """Low and straight, its handle an arch above."""
     body = lathe([(0, 0), (30, 0), (32, 6), (32, 46), (24, 56), (0, 56)], corner=2)
     lid = move(cylinder(19, 6), z=55) + move(cylinder(7, 8), z=60)
-    spout = sweep([(28, 0, 20), (48, 0, 50)], 6.5) + sweep([(48, 0, 50), (56, 0, 53)], 5.5)
-    arch = sweep([(x, 0, 48 + 1.6 * z) for x, _, z in arc(27, 0, 180, 14)], ellipsoid(4, 6, 4, 12))
+    spout = taper([(27, 0, 22), (48, 0, 48), (58, 0, 52)], 10, 5)
+    arch = sweep([(x, 0, 48 + 1.6 * z) for x, _, z in arc(27, 0, 180, 14)], box(8, 13, 8, 1.5))
     return body + lid + spout + arch
 
 
@@ -127,7 +126,8 @@ def succulent() -> Solid:
     """A rosette of thick leaves."""
     leaves = ball(12, 16).translate((0, 0, 4))
     for count, length, tilt, phase in ((9, 34, 22, 0), (7, 29, 48, 25), (5, 24, 72, 10)):
-        leaf = hull(ellipsoid(4, 4, 4, 12), ellipsoid(6, 9, 4, 12).translate((0.6 * length, 0, 1)), ball(2.5, 8).translate((length, 0, 3)))
+        middle, tip = ellipsoid(6, 9, 4, 12).translate((0.6 * length, 0, 1)), ball(2.5, 8).translate((length, 0, 3))
+        leaf = hull(ball(4, 12), middle, tip)
         leaves += around(turn(leaf, y=-tilt), count).rotate((0, 0, phase))
     return _flower_pot(50) + move(leaves, z=50)
 
@@ -150,19 +150,21 @@ def picnic_basket() -> Solid:
 def round_basket() -> Solid:
     """Coiled, with an arched handle."""
     profile = [(0, 0), *curve([(26, 0), (38, 18), (42, 44)])]
-    coils = [ring(r, 7).translate((0, 0, z)) for r, z in ((29, 4), (34, 11), (37.5, 19), (39.5, 27), (40.5, 35), (41, 43))]
+    coils = [ring(r, 8, 6).translate((0, 0, z)) for r, z in ((31, 6), (36, 15), (39.5, 24), (40.5, 33), (41, 42))]
     inside = lathe([(0, 6), *curve([(22, 6), (33, 20), (37, 60)]), (0, 60)])
-    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 18)], ellipsoid(4, 6, 4, 12))
+    handle = sweep([(x, 0, 40 + 1.7 * z) for x, _, z in arc(40, 0, 180, 12)], box(8, 14, 8, 1.5))
     return vessel(profile) + sum(coils, Solid()) - inside + handle
 
 
 def laundry_basket() -> Solid:
     """Slotted, with two holes to carry it by."""
-    body = _tub(72, 48, 76, 12, 1.25)
-    slot = move(box(7, 200, 44), z=14) + move(box(7, 200, 44), x=14, z=14) + move(box(7, 200, 44), x=-14, z=14)
-    ends = turn(slot, z=90) ^ box(200, 60, 100)
-    rim = move(plate(rectangle(94, 66, 17) - rectangle(78, 50, 10), 8, 2), z=68)
-    return body - slot - ends + rim
+    body = _tub(72, 48, 76, 12, 1.18)
+    slot = box(7, 200, 34).translate((0, 0, 12))
+    sides = union(*(move(slot, x=x) for x in (-28, -14, 0, 14, 28)))
+    ends = turn(union(*(move(slot, x=x) for x in (-13, 0, 13))), z=90)
+    holes = turn(box(26, 200, 12, 4), z=90).translate((0, 0, 54))
+    rim = move(plate(rectangle(90, 62, 16) - rectangle(74, 46, 9), 8, 2), z=68)
+    return body - sides - ends - holes + rim
 
 
 THINGS = (

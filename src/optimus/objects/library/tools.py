@@ -8,20 +8,16 @@ from optimus.objects.library.entry import BLACK, BLUE, GREY, METAL, RED, RUBBER,
 from optimus.objects.solids import (
     Section,
     Solid,
-    arc,
     ball,
     box,
     circle,
     curve,
     cylinder,
     ellipsoid,
-    extrude,
-    fillet,
     hull,
     lathe,
     mirrored,
     move,
-    offset,
     plate,
     polygon,
     rectangle,
@@ -46,20 +42,14 @@ def claw_hammer() -> Solid:
     face = turn(cylinder(13, 12), x=90).translate((0, -18, 13))
     notch = hull(move(box(60, 2, 1, 0.4), y=42, z=12.5), turn(box(60, 8, 1, 0.4), z=0).translate((0, 42, 12.5)))
     split = hull(move(box(50, 4, 9, 1), x=8, y=38, z=8.5), move(box(8, 2, 3, 1), x=2, y=14, z=11.5))
-    return head + neck + face + move(_grip(), x=8, z=1) - split - notch
+    return head + neck + face + move(_grip(), x=8) - split - notch
 
 
 def ball_hammer() -> Solid:
     """Lying on its side, one end of its head a ball."""
-    body = turn(lathe([(0, 0), (14, 0), (14, 14), (9, 20), (9, 30), (12, 34), (12, 44), (7, 50), (0, 50)], corner=1.5), x=90)
-    peen = ball(13, 24).translate((0, -28, 0))
-    head = turn(body.translate((0, 25, 0)), z=0) + peen + turn(cylinder(12, 28, corner=1), z=0).translate((0, 0, -14))
-    return grounded_flat(head.translate((0, 0, 13))) + move(_grip(), x=6, z=0)
-
-
-def grounded_flat(solid: Solid) -> Solid:
-    """Without what reaches below z = 1.5."""
-    return solid.trim_by_plane((0, 0, 1), 0.0)
+    face = lathe([(0, 0), (14, 0), (14, 14), (9, 20), (9, 30), (12, 34), (12, 44), (7, 50), (0, 50)], corner=1.5)
+    head = turn(face, x=90).translate((0, 25, 0)) + ball(13, 24).translate((0, -28, 0)) + move(cylinder(12, 28, corner=1), z=-14)
+    return move(head, z=13).trim_by_plane((0, 0, 1), 0) + move(_grip(), x=6)
 
 
 def mallet() -> Solid:
@@ -70,11 +60,11 @@ def mallet() -> Solid:
 
 
 def horseshoe_magnet() -> Solid:
-    """Lying flat, its two tips marked by a groove."""
+    """Lying flat, its two tips a little thicker."""
     section = (circle(36) - circle(18)) ^ rectangle(80, 40, at=(0, 20))
     section += rectangle(18, 36, at=(-27, -17)) + rectangle(18, 36, at=(27, -17))
-    groove = move(box(90, 2.5, 40, 0.5), y=-18) - move(box(70, 10, 18, 0.5), z=3)
-    return plate(section, 24, 2) - (groove - move(extrude(offset(section, -1.5), 21), z=1.5))
+    tips = mirrored(move(box(21, 16, 26), x=27, y=-28), (1, 0, 0))
+    return plate(section, 24, 2) + tips
 
 
 def standing_magnet() -> Solid:

@@ -20,10 +20,8 @@ from optimus.objects.solids import (
     move,
     plate,
     polygon,
-    rectangle,
     ring,
     soften,
-    sweep,
     turn,
 )
 
@@ -35,14 +33,13 @@ def pawn() -> Solid:
 
 def rook() -> Solid:
     foot = [(0, 0), (28, 0), (28, 8), (24, 12), (26, 17), *curve([(22, 21), (17, 42), (16, 66)]), (24, 72), (24, 96), (0, 96)]
-    notches = around(move(box(30, 9, 20, 1), x=15, z=85), 2) + around(move(box(30, 9, 20, 1), x=15, z=85), 3)
     notches = around(move(box(30, 9, 20, 1), x=16, z=86), 6)
     return lathe(foot, corner=1.5) - move(cylinder(16, 20), z=84) - notches
 
 
 def basketball() -> Solid:
-    groove = ring(31, 3)
-    bow = move(ring(25, 3), z=22)
+    groove = ring(31, 4)
+    bow = move(ring(24, 4), z=21)
     sides = turn(bow, y=90) + turn(bow, y=-90)
     return grounded(turn(ball(31) - groove - turn(groove, x=90) - sides, x=25, y=15), 1.6)
 
@@ -88,7 +85,8 @@ def boat() -> Solid:
     shell = hull(plate(keel, 6, 2), move(plate(soften(polygon(deck), 4), 6, 2), z=26))
     deck_well = move(extrude(polygon([(0.86 * x, 0.8 * y) for x, y in deck]), 20), z=27)
     house = move(box(44, 28, 26), x=-18, z=24) + move(box(50, 32, 6), x=-18, z=48)
-    portholes = mirrored(turn(cylinder(5, 6, corner=0), x=90).translate((-8, -11, 38)) + turn(cylinder(5, 6, corner=0), x=90).translate((-28, -11, 38)))
+    porthole = turn(cylinder(5, 6, corner=0), x=90).translate((-8, -11, 38))
+    portholes = mirrored(porthole + move(porthole, x=-20))
     funnel = move(cylinder(9, 28), x=-22, z=50) + move(ring(9, 5), x=-22, z=72)
     return shell - deck_well + house - portholes + funnel
 
@@ -96,7 +94,7 @@ def boat() -> Solid:
 def rocket() -> Solid:
     body = lathe([(0, 12), *curve([(15, 12), (23, 44), (21, 84), (11, 114), (2, 132)]), (0, 133)])
     fin = turn(plate(polygon([(0, 52), (20, 40), (36, 14), (36, 0), (24, 0), (14, 20), (0, 20)]), 8, 2), x=90).translate((4, 4, 0))
-    window = turn(ring(9, 5), x=90).translate((0, -22, 78)) + turn(cylinder(7, 8), x=90).translate((0, -14, 78))
+    window = turn(ring(9, 5), x=90).translate((0, -22, 78)) + turn(cylinder(9, 8), x=90).translate((0, -13, 78))
     return body + around(fin, 4).rotate((0, 0, 45)) + window + lathe([(0, 4), (13, 4), (10, 16), (0, 16)])
 
 

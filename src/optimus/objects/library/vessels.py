@@ -25,9 +25,7 @@ from optimus.objects.solids import (
     Solid,
     arc,
     around,
-    ball,
     box,
-    circle,
     curve,
     cylinder,
     extrude,
@@ -39,6 +37,7 @@ from optimus.objects.solids import (
     plate,
     rectangle,
     ring,
+    star,
     sweep,
     turn,
     vessel,
@@ -56,8 +55,9 @@ def twisted_vase() -> Solid:
 
 
 def amphora() -> Solid:
-    body = vessel([(0, 0), (24, 0), (24, 5), *curve([(15, 13), (27, 42), (34, 72), (25, 100), (14, 112), (14, 130), (21, 140)])])
-    handle = sweep(curve([(15, 0, 128), (34, 0, 132), (42, 0, 112), (32, 0, 84)], 5), 4.5)
+    profile = curve([(15, 13), (27, 42), (34, 72), (26, 100), (14, 116), (21, 140)], 3)
+    body = vessel([(0, 0), (24, 0), (24, 5), *profile], segments=32)
+    handle = sweep(curve([(15, 0, 128), (34, 0, 132), (42, 0, 112), (32, 0, 84)], 3), 4.5)
     return body + mirrored(handle, (1, 0, 0))
 
 
@@ -68,10 +68,10 @@ def wine_bottle() -> Solid:
 
 def soda_bottle() -> Solid:
     """Waisted, its lower half fluted, with a milled cap."""
-    body = lathe([(0, 0), *curve([(25, 0), (30, 10), (30, 34), (25, 52), (29, 76), (27, 98), (13, 124), (12, 136)]), (0, 136)])
+    body = lathe([(0, 0), *curve([(25, 0), (30, 10), (30, 34), (25, 52), (29, 76), (27, 98), (13, 124), (12, 136)], 4), (0, 136)])
     flute = sweep(curve([(33, 0, 2), (34, 0, 24), (28.5, 0, 50)], 3), 5.0)
-    cap = cylinder(14.5, 16) - around(move(cylinder(1.5, 20, corner=0), x=15, z=-2), 16)
-    return body - around(flute, 8) + move(ring(13, 6), z=130) + move(cap, z=136)
+    cap = extrude(star(20, 14.5, 13.3), 16)
+    return body - around(flute, 8) + move(cylinder(16, 5), z=127) + move(cap, z=133)
 
 
 def spray_bottle() -> Solid:
@@ -79,7 +79,7 @@ def spray_bottle() -> Solid:
     head = hull(move(box(36, 20, 14), x=6, z=114), move(box(44, 18, 8), x=-2, z=122), move(box(20, 18, 8), x=-8, z=106))
     trigger = sweep(curve([(16, 0, 116), (24, 0, 100), (20, 0, 86)], 4), move(box(7, 12, 7), z=-3.5))
     nozzle = turn(cylinder(7, 14), y=90).translate((22, 0, 121))
-    return body + move(cylinder(15, 20), z=86) + head + trigger + nozzle
+    return body + move(cylinder(15, 26), z=86) + head + trigger + nozzle
 
 
 def soap_dispenser() -> Solid:
@@ -97,9 +97,9 @@ def soda_can() -> Solid:
 
 def food_tin() -> Solid:
     """Ribbed, its lid half rolled back."""
-    ribs = [(r, 24 + 4 * k) for k in range(10) for r in ((31.5, 29)[k % 2],)]
-    body = lathe([(0, 0), (32.5, 0), (32.5, 5), (31, 7), (31, 20), *ribs, (31, 64), (31, 79), (32.5, 81), (32.5, 86), (0, 86)])
-    ring_pull = plate(circle(9) - circle(4.5), 5, 1.5)
+    ribs = curve([(31 - 2 * (k % 2), 18 + 5 * k) for k in range(11)], 4)
+    body = lathe([(0, 0), (32.5, 0), (32.5, 5), (31, 7), *ribs, (31, 79), (32.5, 81), (32.5, 86), (0, 86)])
+    ring_pull = move(ring(6.5, 5), z=2.5)
     return body - move(cylinder(28, 10), z=83) + move(ring_pull, x=14, z=82) + move(box(12, 8, 5), x=4, z=82)
 
 
@@ -113,14 +113,14 @@ def paint_can() -> Solid:
 
 def jam_jar() -> Solid:
     body = lathe([(0, 0), (31, 0), *curve([(31, 60), (30, 68), (25, 74)]), (25, 78), (0, 78)], corner=3)
-    lid = cylinder(28, 18) - around(move(cylinder(1.6, 30, corner=0), x=28.5, z=-2), 24)
+    lid = extrude(star(28, 28.5, 27.2), 16) + cylinder(26, 18)
     return body + move(lid, z=76)
 
 
 def cookie_jar() -> Solid:
-    body = lathe([(0, 0), *curve([(24, 0), (34, 22), (35, 48), (27, 74)]), (0, 74)])
+    body = lathe([(0, 0), *curve([(24, 0), (31, 22), (32, 48), (26, 74)]), (0, 74)])
     lid = lathe([(0, 72), (30, 72), (30, 78), *curve([(27, 82), (14, 90), (7, 93)]), (0, 94)], corner=1.5)
-    knob = cylinder(6, 20) + ball(10).translate((0, 0, 22))
+    knob = cylinder(8, 26, 12.5)
     return body + lid + move(knob, z=84)
 
 

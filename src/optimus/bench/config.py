@@ -1,0 +1,45 @@
+"""What to measure with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from optimus.control import require_control
+from optimus.data.episode import OSC
+from optimus.env import ManipulationEnv
+from optimus.robots import Robot
+from optimus.tasks import task as task_named
+
+Progress = Callable[[int, int], None]
+"""`(done, successes)`"""
+
+
+@dataclass(frozen=True)
+class BenchConfig:
+    """What to measure with."""
+
+    task: str
+    episodes: int = 20
+    seed: int = 0
+    workers: int = 1
+    control: str = OSC
+    robot: Robot | None = None
+    """Takes the place of the task's own."""
+    check: bool = False
+    """Validate every plan of the expert independently."""
+    where: bool = False
+    """Find out where planning time goes."""
+
+    def __post_init__(self) -> None:
+        task_named(self.task)
+        require_control(self.control)
+
+    def env(self, images: bool) -> ManipulationEnv:
+        return ManipulationEnv(task_named(self.task), images=images, control=self.control, robot=self.robot)
+
+    @property
+    def about(self) -> dict[str, Any]:
+        robot = self.robot or task_named(self.task).problem(self.seed).scene.robot
+        return {"task": self.task, "control": self.control, "robot": robot.name}

@@ -1,0 +1,33 @@
+"""The command line: one verb a stage, folders in, folders out. The only place that parses arguments and catches errors."""
+
+from __future__ import annotations
+
+import logging
+import sys
+
+import tyro
+
+from optimus.cli.demonstrations import collect, curate
+from optimus.cli.main_job import run
+from optimus.cli.measurements import bench
+from optimus.cli.objects import objects
+from optimus.cli.policies import evaluate, train
+from optimus.cli.scenes import show, tasks
+from optimus.errors import OptimusError, UnknownNameError
+
+VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+
+
+def main() -> None:
+    """The `optimus` command. Exit status: 0, 2 for an error that the user can mend, 130 when interrupted."""
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    try:
+        if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:
+            raise UnknownNameError("verb", sys.argv[1], VERBS)
+        tyro.extras.subcommand_cli_from_dict(VERBS, prog="optimus", description=__doc__)
+    except OptimusError as error:
+        sys.stderr.write(f"optimus: {error}\n")
+        raise SystemExit(2) from None
+    except KeyboardInterrupt:
+        sys.stderr.write("optimus: interrupted; the same command goes on from here\n")
+        raise SystemExit(130) from None

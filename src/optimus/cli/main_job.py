@@ -1,0 +1,47 @@
+"""`run`: everything from the task to the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from optimus.cli.options import ControlName, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
+from optimus.cli.output import StageBars, rate, say
+
+
+def run(
+    task: TaskName,
+    out: Path,
+    minutes: float = 20.0,
+    demonstrations: int | None = None,
+    episodes: int = 50,
+    seed: int = 0,
+    workers: Workers = 0,
+    corrections: bool = True,
+    control: ControlName = "osc",
+    robot: RobotName = None,
+    objects: ObjectsName = None,
+    json: Json = False,
+) -> None:
+    """The main job: collect, curate, train, evaluate and report, within a budget of minutes. Resumable.
+
+    Try:
+        optimus run pick-place --minutes 20 --out runs/pick-place
+        optimus run stack --minutes 30 --out runs/ur5e --robot ur5e --control joint
+
+    Args:
+        out: the folder for everything; `report.html` in it is what to look at
+        minutes: for all stages together
+        demonstrations: how many to collect; by default what the budget allows
+        episodes: evaluation episodes
+        seed: of the first demonstration (the next ones follow), of the training and of the evaluation
+        corrections: spend half of the training on a first policy, and then learn from the expert's answers to its mistakes
+    """
+    from optimus.run import RunConfig
+    from optimus.run import run as run_all
+
+    arm = chosen_robot(robot)
+    config = RunConfig(over(task, objects), out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
+    bars = StageBars()
+    result = run_all(config, bars)
+    bars.close()
+    say(result, json, f"{rate(result['evaluation'])}\n{result['report']}")

@@ -1,0 +1,44 @@
+"""Options that several verbs share, each with one name and one help text. Nothing here imports more than the parser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import Positional, arg
+
+if TYPE_CHECKING:
+    from optimus.robots import Robot
+
+TaskName = Annotated[str, Positional, arg(metavar="TASK", help="a task's name; `optimus tasks` lists them")]
+Dataset = Annotated[Path, Positional, arg(metavar="DATASET", help="a dataset's folder, from `optimus collect`")]
+RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`")]
+
+RobotName = Annotated[str | None, arg(metavar="ROBOT", help="a robot's name or robot file; by default the task's own")]
+ControlName = Annotated[
+    str,
+    arg(
+        metavar="{osc,ik,joint}",
+        help="how actions move the arm: osc (operational space), ik (the same actions by inverse kinematics), or joint",
+    ),
+]
+FirstSeed = Annotated[int, arg(help="of the first attempt; the next ones follow")]
+Workers = Annotated[int, arg(help="processes; 0 takes every core (no episode depends on it)")]
+Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
+
+
+ObjectsName = Annotated[
+    str | None, arg(metavar="19|72|unseen|NAME,NAME|FOLDER", help="what to do the task with; `optimus objects` lists them")
+]
+
+
+def over(task: str, objects: str | None) -> str:
+    """The task's name with its objects (see `optimus.tasks.task`)."""
+    return task if objects is None else f"{task}@{objects}"
+
+
+def chosen_robot(name: str | None) -> Robot | None:
+    """The robot that takes the place of the task's own; None for that one."""
+    from optimus.robots.catalogue import robot as robot_named
+
+    return None if name is None else robot_named(name)

@@ -1,0 +1,63 @@
+"""`tasks` and `show`: what there is to solve, and what it looks like."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from optimus.cli.options import Json, ObjectsName, RobotName, TaskName, chosen_robot, over
+from optimus.cli.output import say
+from optimus.errors import OptimusError
+
+
+def tasks(json: Json = False) -> None:
+    """List the tasks.
+
+    Try: optimus tasks
+    """
+    from optimus.registration import gym_id
+    from optimus.tasks import TASKS
+    from optimus.tasks import task as task_named
+
+    all_tasks = [task_named(name) for name in TASKS]
+    rows = [{"name": t.name, "summary": t.summary, "horizon": t.horizon, "gym": gym_id(t.name)} for t in all_tasks]
+    width = max(len(name) for name in TASKS)
+    say({"tasks": rows}, json, "\n".join(f"{r['name']:<{width}} {r['summary']}  [{r['gym']}]" for r in rows))
+
+
+def show(
+    task: TaskName,
+    plan: bool = False,
+    check: bool = False,
+    seed: int = 0,
+    out: Path | None = None,
+    robot: RobotName = None,
+    objects: ObjectsName = None,
+    json: Json = False,
+) -> None:
+    """Write a picture of a task's start, or with --plan of the expert's plan.
+
+    Try:
+        optimus show stack --seed 3
+        optimus show stack --plan --check --seed 3 --out plan.png
+        optimus show stack --robot ur5e
+
+    Args:
+        plan: draw the plan, one skill after another, with its motions (blue: hand empty, orange: carrying)
+        check: with --plan: refuse a plan that does not stand up to an independent check of its motions and effects
+        seed: which problem
+        out: the PNG to write; by default TASK-SEED[-plan].png here
+    """
+    from optimus.demonstrate import ExpertConfig
+    from optimus.show import sentence, show_plan, show_scene
+    from optimus.tasks import task as task_named
+
+    chosen = task_named(over(task, objects))
+    if check and not plan:
+        raise OptimusError("--check is for plans: add --plan")
+    out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
+    if plan:
+        found = show_plan(chosen, seed, out, ExpertConfig(check=check), chosen_robot(robot))
+        text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))
+    else:
+        text = show_scene(chosen, seed, out, chosen_robot(robot))
+    say({"picture": str(out), "shows": text}, json, f"{text}\n{out}")
