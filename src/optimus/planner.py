@@ -43,14 +43,14 @@ class _Binding:
     deepest: int = -1
     blame: Counter[str] = field(default_factory=Counter)
     culprit: Operator | None = None
-    put_down: Operator | None = None
-    """What the culprit takes its thing for, or the culprit itself if it puts one down."""
     aim: Operator | None = None
     """What the culprit was to pick its thing up for, if no way to hold it would have done for that."""
-    trying: Operator | None = None
-    """What it was at when it ran out of time."""
+    put_down: Operator | None = None
+    """What the culprit takes its thing for, or the culprit itself if it puts one down."""
     involved: set[str] = field(default_factory=set)
     """What had to do with the latest failure."""
+    trying: Operator | None = None
+    """What it was at when it ran out of time."""
     vain: dict[Hashable, Counter[str]] = field(default_factory=dict)
     """Pick-ups known to be for nothing, and what was in the way of what they were for."""
 
@@ -58,12 +58,12 @@ class _Binding:
         """The steps that carry `skeleton` out from `state`, or None."""
         if not skeleton:
             return ()
-        operator, put_down = skeleton[0], _put_down(skeleton)
-        aim = put_down if operator.skill == Pick.name else None
+        operator = skeleton[0]
+        aim = _put_down(skeleton) if operator.skill == Pick.name else None
         self.trying = aim or operator
         case = (operator, aim, _surroundings(self.workspace, state, operator.args[0]))
         if case in self.vain:
-            self._remember(operator, depth, self.vain[case], put_down, aim)
+            self._remember(skeleton, depth, self.vain[case], aim)
             return None
         self.workspace.failures.clear()
         answers: list[bool] = []
@@ -79,10 +79,10 @@ class _Binding:
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        blame, in_vain = self._blame(), bool(answers) and not any(answers)
+        blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
         if in_vain:
             self.vain[case] = blame
-        self._remember(operator, depth, blame, put_down, aim if in_vain else None)
+        self._remember(skeleton, depth, blame, aim if in_vain else None)
         return None
 
     def _purpose(self, aim: Operator, answers: list[bool]) -> Purpose:
@@ -99,23 +99,31 @@ class _Binding:
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _blame(self) -> Counter[str]:
-        """How often each thing was in the way."""
-        return Counter(name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b))
+    def _blame(self, operator: Operator) -> Counter[str]:
+        names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
+        return Counter(n for n in names if n not in ("robot", *operator.args[:1]))
 
-    def _remember(
-        self, operator: Operator, depth: int, blame: Counter[str], put_down: Operator | None, aim: Operator | None
-    ) -> None:
-        self.involved = {*blame, *operator.args}
+    def _remember(self, skeleton: Skeleton, depth: int, blame: Counter[str], aim: Operator | None) -> None:
+        operator, put_down = skeleton[0], _put_down(skeleton)
+        self.involved = {*blame, *operator.args, *(put_down.args if put_down else ())}
         if depth > self.deepest:
-            self.deepest, self.culprit, self.put_down, self.aim = depth, operator, put_down, aim
-            self.blame = Counter({n: times for n, times in blame.items() if n not in ("robot", *operator.args[:1])})
+            self.deepest, self.culprit, self.blame, self.aim, self.put_down = depth, operator, blame, aim, put_down
 
     def _could_help(self, operator: Operator) -> bool:
         """Whether to do `operator` otherwise could undo the latest failure: not if it moved a thing that had nothing to do with it,
         nor stands now where something was to go."""
         things = operator.args if puts_down(operator) else operator.args[:1]
         return operator.args[0] not in self.workspace.scene.movable_names or not self.involved.isdisjoint(things)
+
+
+def puts_down(operator: Operator) -> bool:
+    """Whether it lets go of its first argument."""
+    return isinstance(SKILLS.get(operator.skill), Place)
+
+
+def _put_down(skeleton: Skeleton) -> Operator | None:
+    """The first operator of `skeleton` that puts down what the very first one deals with."""
+    return next((o for o in skeleton if o.args[:1] == skeleton[0].args[:1] and puts_down(o)), None)
 
 
 def _surroundings(workspace: Workspace, state: State, thing: str) -> Hashable:
@@ -128,16 +136,6 @@ def _surroundings(workspace: Workspace, state: State, thing: str) -> Hashable:
 def operators_of(workspace: Workspace, facts: Facts) -> tuple[Operator, ...]:
     """Every ground operator of the scene."""
     return tuple(o for skill in SKILLS.values() for o in skill.operators(workspace.scene, facts))
-
-
-def puts_down(operator: Operator) -> bool:
-    """Whether it lets go of its first argument."""
-    return isinstance(SKILLS.get(operator.skill), Place)
-
-
-def _put_down(skeleton: Skeleton) -> Operator | None:
-    """The first operator of `skeleton` that puts down what the very first one deals with."""
-    return next((o for o in skeleton if o.args[:1] == skeleton[0].args[:1] and puts_down(o)), None)
 
 
 def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Operator, ...]:
@@ -189,8 +187,8 @@ def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skele
 
 
 def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
-    """The movables that stood in the way of the skill that could not be done. If nothing new did, and it can be held
-    so that it could be put where it was to go, then it cannot be taken so as it stands."""
+    """The movables that stood in the way of the skill that could not be done. If nothing new did, and some other
+    way to hold the thing would do, then no way to take it as it stands serves to put it where it was to go."""
     if binding.culprit is None:
         return frozenset()
     culprit, put_down = binding.culprit, binding.put_down

@@ -43,6 +43,7 @@ class OperationalSpace(PoseTarget):
         task_mass = np.linalg.inv(jac @ mass_inv_jt + 1e-3 * np.eye(6))
         wrench = task_mass @ (KP * self.target_error(data) - 2.0 * np.sqrt(KP) * (jac @ qvel))
         pull = self._relaxation(q, qvel)
+        # straight home in the joints' own measure, as plans have it, not weighted by inertia
         relax = mass @ (pull - jac.T @ np.linalg.solve(jac @ jac.T + 1e-5 * np.eye(6), jac @ pull))
         # what of it moves the tcp is taken out again (dynamically consistent projection)
         relax = relax - jac.T @ (task_mass @ (mass_inv_jt.T @ relax))

@@ -65,14 +65,19 @@ class Pick:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, purpose = args[0], workspace.purpose
-        grasps = workspace.order(list(self.grasps(workspace, state, thing)), rng)
-        goals = (
-            goal
-            for goal in grasps
-            if workspace.fits(state, goal) and (purpose is None or purpose.possible(_held(state, thing, goal)))
-        )
-        for way, reach in workspace.approaches("reach", state, goals, False, rng):
+        misfits: list[Pose] = []
+
+        def goals() -> Iterator[Pose]:
+            for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
+                if not workspace.fits(state, goal):
+                    misfits.append(goal)
+                elif purpose is None or purpose.possible(_held(state, thing, goal)):
+                    yield goal
+
+        for way, reach in workspace.approaches("reach", state, goals(), False, rng):
             yield from self._lift(workspace, state, thing, way, reach, rng)
+        if purpose is not None:  # whether it would have done to take the thing otherwise, is for the planner to know
+            any(purpose.possible(_held(state, thing, goal)) for goal in misfits)
 
     def _lift(
         self, workspace: Workspace, state: State, thing: str, way: Way, reach: Segment, rng: np.random.Generator
