@@ -27,6 +27,7 @@ from optimus.rollout import rollout
 from optimus.show import Film, png
 from optimus.statistics import wilson
 from optimus.tasks import task as task_named
+from optimus.tasks import with_objects
 from optimus.workers import finished
 
 RANDOM_SEEDS_FROM = 10_000_000
@@ -82,6 +83,8 @@ class Start:
 
     seed: int
     state: np.ndarray | None = None
+    objects: str | None = None
+    """What to do the task with (see `optimus.tasks.task`); None: what the policy was trained with."""
 
 
 def validation_starts(dataset: Path, episodes: int) -> list[Start]:
@@ -92,9 +95,9 @@ def validation_starts(dataset: Path, episodes: int) -> list[Start]:
     return [Start(s, store.header(s).read("initial_state")) for s in (seeds[i % len(seeds)] for i in range(episodes))]
 
 
-def random_starts(episodes: int, seed: int = 0) -> list[Start]:
-    """Fresh problems that no dataset holds."""
-    return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i) for i in range(episodes)]
+def random_starts(episodes: int, seed: int = 0, objects: str | None = None) -> list[Start]:
+    """Fresh problems that no dataset holds, perhaps with other objects than the policy was trained with."""
+    return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i, objects=objects) for i in range(episodes)]
 
 
 def trained_robot(run: Path, asked: Robot | None = None) -> Robot | None:
@@ -120,11 +123,14 @@ def require_same_problems(run: Path, dataset: Path) -> None:
 
 
 @lru_cache(maxsize=1)
-def _actors(run: Path, component: Component, robot: Robot | None) -> tuple[ManipulationEnv, PolicyAgent]:
+def _actors(
+    run: Path, component: Component, robot: Robot | None, objects: str | None
+) -> tuple[ManipulationEnv, PolicyAgent]:
     torch.set_num_threads(1)
     agent = PolicyAgent(run, component)
     inputs = agent.policy.inputs
-    return ManipulationEnv(task_named(inputs.task), control=inputs.control, robot=trained_robot(run, robot)), agent
+    name = inputs.task if objects is None else with_objects(inputs.task, objects)
+    return ManipulationEnv(task_named(name), control=inputs.control, robot=trained_robot(run, robot)), agent
 
 
 class _Witness:
@@ -176,7 +182,7 @@ def play(
 ) -> tuple[Episode, str]:
     """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
     trained with, needed only where that has no known name."""
-    env, agent = _actors(run, component, robot)
+    env, agent = _actors(run, component, robot, start.objects)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before

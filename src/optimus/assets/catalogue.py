@@ -8,7 +8,6 @@ import os
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import as_completed
 from dataclasses import replace
 from functools import lru_cache
 from importlib import resources
@@ -34,6 +33,13 @@ SETS: dict[str, tuple[str, ...]] = {
 """Named sets of the library; `unseen` are those of 72 that are not of 19."""
 
 
+MAKERS = (
+    *(f"assets/{name}.py" for name in ("antipodal", "convex", "trial", "thing", "store", "picture")),
+    *("spec.py", "robots/model.py", "robots/catalogue.py"),
+)
+"""The code, besides the library's own, that decides what an object becomes."""
+
+
 def user_folder() -> Path:
     """Where added objects lie: `$OPTIMUS_OBJECTS`, else the platform's data folder for this program."""
     if os.environ.get("OPTIMUS_OBJECTS"):
@@ -45,9 +51,8 @@ def user_folder() -> Path:
 def library_folder() -> Path:
     """Where the library's objects lie once they are made; another one for every version of the code that makes them."""
     package = Path(__file__).parent.parent
-    sources = [*sorted((package / "objects").rglob("*.py")), *sorted((package / "assets").glob("*.py")), package / "spec.py"]
     digest = hashlib.sha256()
-    for path in sources:
+    for path in [*sorted((package / "objects").rglob("*.py")), *(package / name for name in MAKERS)]:
         digest.update(path.read_bytes())
     return cache_folder() / "objects" / digest.hexdigest()[:16]
 
@@ -149,13 +154,15 @@ def missing() -> list[str]:
     return [name for name in LIBRARY if not (library_folder() / name / store.RECORD).is_file()]
 
 
-def make_all(names: Iterable[str], workers: int, progress: Callable[[str], None]) -> None:
+def make_all(names: Iterable[str], workers: int, progress: Callable[[], None]) -> None:
     """Make objects of the library, several at a time; each is kept as soon as it is there."""
     with executor(workers) as pool:
-        futures = {pool.submit(make, name): name for name in names}
-        for future in as_completed(futures):
+        futures = []
+        for name in names:
+            futures.append(pool.submit(make, name))
+            futures[-1].add_done_callback(lambda _: progress())
+        for future in futures:
             future.result()
-            progress(futures[future])
 
 
 def described(name: str) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from optimus.cli.options import ControlName, Dataset, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
+from optimus.cli.options import ControlName, Dataset, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot
 from optimus.cli.output import bar, counter, say
 
 if TYPE_CHECKING:
@@ -45,10 +45,11 @@ def collect(
     from optimus.collect import CollectConfig
     from optimus.collect import collect as run_collect
     from optimus.correct import Turns
+    from optimus.tasks import with_objects
 
     expert, turns = _expert(perturb, stall, check), Turns(policy) if policy else None
     arm = chosen_robot(robot)
-    config = CollectConfig(over(task, objects), out, episodes, seed, workers, expert, turns, control=control, robot=arm)
+    config = CollectConfig(with_objects(task, objects), out, episodes, seed, workers, expert, turns, control=control, robot=arm)
     with bar(episodes, f"collect {task}", "demo") as shown:
         result = run_collect(config, lambda done: counter(shown)(done, done))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"

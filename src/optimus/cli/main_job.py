@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import ControlName, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
+from optimus.cli.options import ControlName, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot
 from optimus.cli.output import StageBars, rate, say
 
 
@@ -38,9 +38,10 @@ def run(
     """
     from optimus.run import RunConfig
     from optimus.run import run as run_all
+    from optimus.tasks import with_objects
 
     arm = chosen_robot(robot)
-    config = RunConfig(over(task, objects), out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
+    config = RunConfig(with_objects(task, objects), out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
     bars = StageBars()
     result = run_all(config, bars)
     bars.close()

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from tyro.conf import Positional, arg
 
-from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot, over
+from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot
 from optimus.cli.output import bar, counter, say, table
 from optimus.errors import OptimusError
 
@@ -37,11 +37,12 @@ def bench(
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """
     from optimus.bench import BENCHES, BenchConfig
+    from optimus.tasks import with_objects
 
     for name, asked in (("check", check), ("where", where)):
         if asked and what != "expert":
             raise OptimusError(f"--{name} is for plans: it goes with `bench expert` alone")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        config = BenchConfig(over(task, objects), episodes, seed, workers, control, chosen_robot(robot), check, where)
+        config = BenchConfig(with_objects(task, objects), episodes, seed, workers, control, chosen_robot(robot), check, where)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))

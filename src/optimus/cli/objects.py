@@ -68,7 +68,7 @@ def _list(what: tuple[str, ...], out: Path | None, workers: int, json: bool) -> 
     missing = [name for name in keys if name in set(catalogue.missing())]
     if missing:
         with bar(len(missing), "make the library (once)", "object") as shown:
-            catalogue.make_all(missing, workers or available_cores(), lambda name: shown.update())
+            catalogue.make_all(missing, workers or available_cores(), lambda: shown.update())
     rows = [catalogue.described(key) for key in keys.values()]
     answer: dict[str, Any] = {"objects": rows, "categories": len({row["category"] for row in rows})}
     if out is not None:

@@ -32,11 +32,6 @@ ObjectsName = Annotated[
 ]
 
 
-def over(task: str, objects: str | None) -> str:
-    """The task's name with its objects (see `optimus.tasks.task`)."""
-    return task if objects is None else f"{task}@{objects}"
-
-
 def chosen_robot(name: str | None) -> Robot | None:
     """The robot that takes the place of the task's own; None for that one."""
     from optimus.robots.catalogue import robot as robot_named

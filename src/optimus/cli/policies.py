@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import arg
 
-from optimus.cli.options import Dataset, Json, RobotName, RunFolder, Workers, chosen_robot
+from optimus.cli.options import Dataset, Json, ObjectsName, RobotName, RunFolder, Workers, chosen_robot
 from optimus.cli.output import bar, counter, rate, say
 
 if TYPE_CHECKING:
@@ -91,6 +91,7 @@ def evaluate(
     task: ExpectedTask = None,
     videos: Path | None = None,
     robot: RobotName = None,
+    objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
     """Measure a policy's success: k of n, with its 95 % interval and the causes of failure.
@@ -98,6 +99,7 @@ def evaluate(
     Try:
         optimus evaluate runs/stack --dataset data/stack --episodes 50
         optimus evaluate runs/stack --states random --videos films
+        optimus evaluate runs/pick-place --states random --objects unseen
 
     Args:
         dataset: whose validation states to start from; needed for --states validation
@@ -112,7 +114,7 @@ def evaluate(
 
     trained_for = checkpoint.load(run, task).inputs.task
     arm = evaluation.trained_robot(run, chosen_robot(robot))
-    starts = _starts(run, states, dataset, episodes, seed)
+    starts = _starts(run, states, dataset, episodes, seed, objects)
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
         report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
@@ -121,12 +123,14 @@ def evaluate(
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
 
 
-def _starts(run: Path, states: str, dataset: Path | None, episodes: int, seed: int) -> list[Start]:
+def _starts(run: Path, states: str, dataset: Path | None, episodes: int, seed: int, objects: str | None) -> list[Start]:
     from optimus.errors import CheckpointError
     from optimus.evaluate import random_starts, require_same_problems, validation_starts
 
     if states == "random":
-        return random_starts(episodes, seed)
+        return random_starts(episodes, seed, objects)
+    if objects is not None:
+        raise CheckpointError("--objects are for --states random: validation states have the dataset's own")
     if dataset is None:
         raise CheckpointError("--states validation needs --dataset DIR (or use --states random)")
     require_same_problems(run, dataset)

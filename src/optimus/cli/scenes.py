@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import Json, ObjectsName, RobotName, TaskName, chosen_robot, over
+from optimus.cli.options import Json, ObjectsName, RobotName, TaskName, chosen_robot
 from optimus.cli.output import say
 from optimus.errors import OptimusError
 
@@ -50,8 +50,9 @@ def show(
     from optimus.demonstrate import ExpertConfig
     from optimus.show import sentence, show_plan, show_scene
     from optimus.tasks import task as task_named
+    from optimus.tasks import with_objects
 
-    chosen = task_named(over(task, objects))
+    chosen = task_named(with_objects(task, objects))
     if check and not plan:
         raise OptimusError("--check is for plans: add --plan")
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")

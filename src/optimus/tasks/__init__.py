@@ -41,6 +41,11 @@ def task(name: str) -> Task:
     return found.over(name, ObjectSet(objects))
 
 
+def with_objects(name: str, objects: str | None) -> str:
+    """The name of that task with those objects, whichever it had."""
+    return name if objects is None else f"{name.partition('@')[0]}@{objects}"
+
+
 def _named(name: str) -> Task:
     place = TASKS.get(name, name)
     module, _, attribute = place.partition(":")
