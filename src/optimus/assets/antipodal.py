@@ -11,12 +11,15 @@ import trimesh
 from optimus.objects.shapes import Grasp
 from optimus.se3 import Array, quat_from_matrix
 
-STEEP, LEVEL = 0.75, 0.15
-"""Faces are met from the side: their normals' z component is below the first; below the second they count as upright."""
-CONE = np.cos(np.radians(20.0))
-"""The far face's normal is within 20 degrees of the line on which the fingers close."""
+STEEP, ROUND, LEVEL = 0.75, 0.40, 0.15
+"""Faces are met from the side: their normals' z component is below the first; below the second they may, below the third they do
+count as upright."""
+CONE = np.cos(np.radians(25.0))
+"""The far face's normal is within 25 degrees of the line on which the fingers close."""
 NARROWEST, CLEARANCE = 0.004, 0.010
 """A thing is at least this thick where it is taken, and the open hand wider by this [m]."""
+TIP, GAP, RAISED = 0.012, 0.002, 0.007
+"""Fingers end this far beyond the tcp, and stay this far above the ground; for that, the tcp is raised so much at most [m]."""
 TILTS = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 """Turns of the hand about the line on which the fingers close, from pointing straight down to level [rad]."""
 
@@ -54,7 +57,11 @@ def candidates(
     normals = mesh.face_normals[faces]
     side = np.abs(normals[:, 2]) < STEEP
     points, inward = points[side], -normals[side]
-    inward[np.abs(inward[:, 2]) < LEVEL, 2] = 0.0
+    slope = np.abs(inward[:, 2])
+    # what is round is also taken level, whichever way its facets lie
+    points, inward = np.concatenate([points, points[slope < ROUND]]), np.concatenate([inward, inward[slope < ROUND]])
+    level = np.concatenate([slope < LEVEL, np.ones((slope < ROUND).sum(), bool)])
+    inward[level, 2] = 0.0
     inward /= np.linalg.norm(inward, axis=1, keepdims=True)
     hits, rays, far = mesh.ray.intersects_location(points + 1e-4 * inward, inward, multiple_hits=True)
     thick = np.linalg.norm(hits - points[rays], axis=1)
@@ -64,11 +71,12 @@ def candidates(
     for i in np.sort(rng.permutation(fits)[:most]):
         middle, axis = (points[rays[i]] + hits[i]) / 2, inward[rays[i]]
         for tilt, flip in product(TILTS, (1.0, -1.0)):
-            found.append(_candidate(middle, flip * axis, tilt, com, float(opposite[i])))
+            found.append(_candidate(middle, flip * axis, tilt, com, float(opposite[i]), float(mesh.bounds[0, 2])))
     return found
 
 
-def _candidate(middle: Array, axis: Array, tilt: float, com: Array, opposite: float) -> Candidate:
+def _candidate(middle: Array, axis: Array, tilt: float, com: Array, opposite: float, ground: float) -> Candidate:
+    """The hand with the tcp in the middle between two faces, or a little higher if the fingertips would meet the ground."""
     down = np.array([0.0, 0.0, -1.0])
     down -= (down @ axis) * axis
     down /= np.linalg.norm(down)
@@ -76,9 +84,11 @@ def _candidate(middle: Array, axis: Array, tilt: float, com: Array, opposite: fl
     approach = np.cos(tilt) * down + np.sin(tilt) * np.cross(axis, down)
     matrix = np.column_stack([np.cross(axis, approach), axis, approach])
     w, x, y, z = (float(v) for v in quat_from_matrix(np.asarray(matrix, float)))
-    pos, quat = (float(middle[0]), float(middle[1]), float(middle[2])), (w, x, y, z)
+    low = middle[2] - TIP * abs(float(approach[2])) - ground
+    pos = middle - approach * max(0.0, min(RAISED, GAP - low))
     away = float(np.linalg.norm((middle - com)[:2])) + 0.3 * abs(float(middle[2] - com[2]))
-    return Candidate(Grasp(pos, quat), away + 0.1 * (1.0 - opposite))
+    at = (float(pos[0]), float(pos[1]), float(pos[2]))
+    return Candidate(Grasp(at, (w, x, y, z)), away + 0.1 * (1.0 - opposite))
 
 
 def lean_of(grasp: Grasp) -> float:

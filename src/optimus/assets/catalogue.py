@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from importlib import resources
-from itertools import count
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -182,7 +182,7 @@ def add(thing: Thing) -> str:
     """Put a thing among the user's own objects, under its name or, if that is taken, the next free one; the name it has there."""
     taken = {*LIBRARY, *added()}
     wanted = thing.facts.name
-    name = next(n for n in (wanted, *(f"{wanted}-{k}" for k in count(2))) if n not in taken)
+    name = next(n for n in chain([wanted], (f"{wanted}-{k}" for k in count(2))) if n not in taken)
     named = replace(thing, facts=replace(thing.facts, name=name), shape=replace(thing.shape, kind=name))
     keep(named, user_folder() / name)
     return name

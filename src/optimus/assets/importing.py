@@ -86,7 +86,7 @@ def read_mesh(path: Path) -> tuple[trimesh.Trimesh, Rgba]:
     try:
         scene = trimesh.load_scene(path)
         mesh = scene.to_mesh()
-    except Exception as error:  # noqa: BLE001 - readers of many formats raise as they please
+    except Exception as error:  # readers of many formats raise as they please
         raise AssetError(f"{path} cannot be read as a mesh: {error}") from error
     if len(mesh.faces) == 0 or not np.isfinite(mesh.vertices).all():
         raise AssetError(f"{path} holds no triangles, or points that are no numbers")

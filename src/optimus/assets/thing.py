@@ -18,9 +18,9 @@ from optimus.objects.shapes import Grasp, Inertia, Mesh, Part, Rgba, Shape, Vec3
 from optimus.robots import PANDA, Robot
 from optimus.se3 import quat_from_matrix
 
-POINTS, PAIRS = 1500, 220
+POINTS, PAIRS = 4000, 600
 """Of the surface, from which grasps are sampled, and of opposite faces among them."""
-TRIED = 60
+TRIED = 150
 """Candidates that are tried in physics at most, of each share."""
 LEANS = (np.radians(20.0), np.radians(65.0))
 """Grasps from above lean less than the first, grasps from the side more than the second [rad]."""

@@ -40,8 +40,8 @@ def run(
     from optimus.run import run as run_all
     from optimus.tasks import with_objects
 
-    arm = chosen_robot(robot)
-    config = RunConfig(with_objects(task, objects), out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
+    arm, name = chosen_robot(robot), with_objects(task, objects)
+    config = RunConfig(name, out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
     bars = StageBars()
     result = run_all(config, bars)
     bars.close()
