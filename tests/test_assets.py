@@ -54,7 +54,7 @@ def test_pieces_are_convex_and_cover_the_mesh_and_no_more(symmetric: bool) -> No
     lows, highs = zip(*(p.bounds for p in pieces), strict=True)
     np.testing.assert_allclose([np.min(lows, 0), np.max(highs, 0)], mesh.bounds, atol=0.002)
     rng = np.random.default_rng(0)
-    points = rng.uniform(*mesh.bounds, (3000, 3))
+    points = rng.uniform(mesh.bounds[0], mesh.bounds[1], (3000, 3))
     inside = np.any([piece.contains(points) for piece in pieces], axis=0)
     far = np.abs(trimesh.proximity.signed_distance(mesh, points)) > 0.003
     assert (inside == mesh.contains(points))[far].mean() > 0.98
