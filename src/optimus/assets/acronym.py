@@ -8,16 +8,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.assets.trial import Outcome
 from optimus.errors import AssetError
 from optimus.objects.shapes import Grasp
 from optimus.se3 import Array, Pose
+
+if TYPE_CHECKING:
+    from optimus.assets.trial import Outcome
 
 FINGERTIP, PAD = 0.1122, 0.0088
 """Of the schema's gripper: its fingertips ahead of its base, and the middle of the pads behind these [m]."""

@@ -13,17 +13,18 @@ from functools import lru_cache
 from importlib import resources
 from itertools import chain, count
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from optimus.assets import store
-from optimus.assets.picture import picture, png
-from optimus.assets.thing import Facts, Thing, prepare
 from optimus.errors import AssetError, UnknownNameError
 from optimus.objects.blueprint import Blueprint
 from optimus.objects.library import LIBRARY, SMALL
 from optimus.objects.shapes import Shape
 from optimus.robots.menagerie import cache_folder
 from optimus.workers import executor
+
+if TYPE_CHECKING:  # what makes objects loads trimesh and MuJoCo; to look one up shall be quick
+    from optimus.assets.thing import Facts, Thing
 
 SETS: dict[str, tuple[str, ...]] = {
     "19": SMALL,
@@ -34,7 +35,7 @@ SETS: dict[str, tuple[str, ...]] = {
 
 
 MAKERS = (
-    *(f"assets/{name}.py" for name in ("antipodal", "convex", "trial", "thing", "store", "picture")),
+    *(f"assets/{name}.py" for name in ("antipodal", "convex", "trial", "thing")),
     *("spec.py", "robots/model.py", "robots/catalogue.py"),
 )
 """The code, besides the library's own, that decides what an object becomes."""
@@ -51,7 +52,7 @@ def user_folder() -> Path:
 def library_folder() -> Path:
     """Where the library's objects lie once they are made; another one for every version of the code that makes them."""
     package = Path(__file__).parent.parent
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(str(store.FORMAT).encode())
     for path in [*sorted((package / "objects").rglob("*.py")), *(package / name for name in MAKERS)]:
         digest.update(path.read_bytes())
     return cache_folder() / "objects" / digest.hexdigest()[:16]
@@ -129,12 +130,16 @@ class ObjectSet(Mapping[str, Shape]):
 
 def facts_of(blueprint: Blueprint) -> Facts:
     """The facts of a blueprint."""
+    from optimus.assets.thing import Facts
+
     b = blueprint
     return Facts(b.name, b.category, b.words, b.mass, b.friction, b.rgba, b.symmetric)
 
 
 def make(name: str) -> float:
     """Make one object of the library and put it into the cache; the CPU seconds it took."""
+    from optimus.assets.thing import prepare
+
     began = time.process_time()
     blueprint = LIBRARY[name]
     try:
@@ -146,6 +151,8 @@ def make(name: str) -> float:
 
 def keep(thing: Thing, folder: Path) -> None:
     """Write a thing with its picture."""
+    from optimus.assets.picture import picture, png
+
     store.save(thing, folder, png(picture(thing.shape)))
 
 

@@ -8,14 +8,16 @@ import os
 import shutil
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from optimus.assets.acronym import read_grasps, write_grasps
-from optimus.assets.thing import Thing
 from optimus.errors import AssetError, StorageError
 from optimus.objects.shapes import Grasp, Inertia, Mesh, Part, Shape
+
+if TYPE_CHECKING:
+    from optimus.assets.thing import Thing
 
 FORMAT = 1
 RECORD, MESHES, GRASPS, PICTURE = "object.json", "meshes.npz", "grasps.h5", "picture.png"

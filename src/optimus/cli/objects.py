@@ -49,13 +49,13 @@ def objects(
         up: with add: which axis of the file points up; by default whichever it can stand on
         meshes: with acronym: the folder that the grasp files' meshes lie in
     """
-    from optimus.assets.importing import Wish
-
     if do == "list":
         _list(what, out, workers, json)
     elif do == "remove":
         _remove(what, json)
     else:
+        from optimus.assets.importing import Wish
+
         _add(do, what, Wish(name, category, mass, density, scale, up), meshes, json)
 
 
@@ -65,7 +65,8 @@ def _list(what: tuple[str, ...], out: Path | None, workers: int, json: bool) -> 
     from optimus.workers import available_cores
 
     keys = catalogue.keys_of(",".join(what)) if what else {n: n for n in (*catalogue.LIBRARY, *catalogue.added())}
-    missing = [name for name in keys if name in set(catalogue.missing())]
+    unmade = set(catalogue.missing())
+    missing = [name for name in keys if name in unmade]
     if missing:
         with bar(len(missing), "make the library (once)", "object") as shown:
             catalogue.make_all(missing, workers or available_cores(), lambda: shown.update())

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from optimus.errors import AssetError
 
@@ -80,6 +79,7 @@ def join(meshes: Sequence[Mesh]) -> Mesh:
 def reduce(mesh: Mesh, count: int) -> Mesh:
     """The mesh with about `count` faces, shaded like the full one: corners take their normals there."""
     import fast_simplification
+    from scipy.spatial import KDTree  # it takes half a second to load, and few need it
 
     if len(mesh.faces) <= count:
         return mesh

@@ -12,7 +12,7 @@ from optimus.predicates import On, Released
 from optimus.robots import PANDA
 from optimus.scene import Camera, Fixture, Movable, Scene
 from optimus.se3 import Pose
-from optimus.task import Problem, Task, footprint
+from optimus.task import Objects, Problem, Task, footprint, pick_one
 
 WIDTH, DEPTH, HEIGHT = 0.50, 0.25, 1.00
 """Of the shelf in every Shelf problem [m]."""
@@ -42,7 +42,7 @@ CAMERAS = (
 GROUND = Fixture("ground", board(1.6, 1.6, (0.80, 0.80, 0.78, 1.0)), (0.4, 0.0, FOOT - BOARD / 2 - 0.001))
 
 
-def scene_of(variant: str, width: float, depth: float, height: float) -> Scene:
+def scene_of(shape: Shape, width: float, depth: float, height: float) -> Scene:
     """A shelf of that size [m] before the arm, and one object."""
     x = FRONT + depth / 2
     rungs = [
@@ -52,19 +52,20 @@ def scene_of(variant: str, width: float, depth: float, height: float) -> Scene:
     return Scene(
         robot=PANDA,
         fixtures=(GROUND, *rungs, sides),
-        movables=(Movable("object", OBJECTS[variant]),),
+        movables=(Movable("object", shape),),
         cameras=CAMERAS,
         low=(0.15, -0.60, FOOT + 0.005),
         high=(1.00, 0.60, 0.85),
     )
 
 
-def draw(sizes: bool, rng: np.random.Generator) -> Problem:
-    variant = list(OBJECTS)[int(rng.integers(len(OBJECTS)))]
+def draw(sizes: bool, objects: Objects, rng: np.random.Generator) -> Problem:
+    variant = pick_one(objects, rng)
     width, depth, height = (rng.uniform(*r) for r in (WIDTHS, DEPTHS, HEIGHTS)) if sizes else (WIDTH, DEPTH, HEIGHT)
     # whole centimetres: as many shelves as that still are, not one compiled model for every problem there is
     width, depth, height = (round(v, 2) for v in (width, depth, height))
-    scene, shape = scene_of(variant, width, depth, height), OBJECTS[variant]
+    shape = objects[variant]
+    scene = scene_of(shape, width, depth, height)
     inset = footprint(shape) + EDGE
     x = y = REACH
     while np.hypot(x, y) > REACH:
@@ -77,5 +78,12 @@ def draw(sizes: bool, rng: np.random.Generator) -> Problem:
 
 EYE = (-0.75, -1.0, 0.55)
 CLOSE_UP = (0.55, 0.0, 0.2)
-SHELF = Task("shelf", "an object from the lowest rung of a shelf to the middle one", partial(draw, False), 400, CLOSE_UP, EYE)
-SHELF_RECEPTACLE = Task("shelf-receptacle", "the same, each time on another shelf", partial(draw, True), 400, CLOSE_UP, EYE)
+
+
+def _task(name: str, summary: str, sizes: bool) -> Task:
+    drawn = partial(draw, sizes)
+    return Task(name, summary, partial(drawn, OBJECTS), 400, CLOSE_UP, EYE, drawn)
+
+
+SHELF = _task("shelf", "an object from the lowest rung of a shelf to the middle one", sizes=False)
+SHELF_RECEPTACLE = _task("shelf-receptacle", "the same, each time on another shelf", sizes=True)
