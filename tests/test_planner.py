@@ -12,6 +12,7 @@ from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower
 from optimus.logic import Atom
+from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
 from optimus.objects.furniture import bin_of, box_open_in_front
 from optimus.objects.shapes import block
@@ -181,3 +182,16 @@ def test_success_needs_release() -> None:
     touched = replace(state, touched=frozenset({"cubeA"}))
     assert not env.problem.success(touched) and env.problem.paper_success(touched)
     assert Released("cubeA") in env.problem.goal
+
+
+def test_a_grasp_that_came_up_empty_is_not_tried_again() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=1)
+    state, workspace = env.state(), Workspace(env.world)
+    grasps = []
+    for _ in range(3):
+        plan = solve(workspace, state, env.problem.goal, np.random.default_rng(0))
+        assert isinstance(plan, Plan)
+        grasps.append(state.poses["cubeA"].inverse @ plan.steps[0].segments[1].end)
+        workspace.missed.append(("cubeA", grasps[-1]))
+    assert all(distance(grasps[i], grasps[j]) > 0.01 for i in range(3) for j in range(i))

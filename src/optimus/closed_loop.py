@@ -13,12 +13,14 @@ from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
 from optimus.rollout import LAST_LOOK
+from optimus.se3 import Pose
 from optimus.skills import Workspace
 
 MOST_RETRIES = 3
 """Times that an episode's plan is given up for another."""
 RETRY_SECONDS = 3.0
 """Planning again is given up after this [s of CPU]."""
+EMPTY = "empty hand"
 EMPTY_FOR = 4
 """An empty hand is believed after this many steps: fingers may lose touch for one."""
 STUCK_FOR = 40
@@ -62,12 +64,28 @@ class ClosedLoop:
         if not trouble or len(self.retries) >= MOST_RETRIES:
             return answer
         self.retries.append(trouble)
+        if trouble == EMPTY:
+            self._workspace.missed += self._grasp()
         plan = solve(self._workspace, self._env.state(), self._env.problem.goal, self._rng, self._budget)
         if isinstance(plan, Infeasible):
             self._empty = self._stuck = 0
             return answer
         self._follow(plan)
         return self._follower.act(observation)
+
+    def _grasp(self) -> list[tuple[str, Pose]]:
+        """The latest grasp of the plan so far: what it takes, and `object_from_tcp`."""
+        plan, before = self._follower.plan, self._follower.plan.start
+        latest: list[tuple[str, Pose]] = []
+        for step in plan.steps:
+            thing = step.operator.args[0]
+            if thing in before.poses:
+                shut = [s for s in step.segments if s.gripper_action and s.shut]
+                latest = [(thing, before.poses[thing].inverse @ s.end) for s in shut] or latest
+            if self._follower.segment in step.segments:
+                return latest
+            before = step.after
+        return []
 
     def _trouble(self, over: bool) -> str:
         """What went wrong, in a few words; empty if nothing did."""
@@ -81,5 +99,5 @@ class ClosedLoop:
         self._stuck = self._stuck + 1 if moved == self._mark else 0
         self._mark = moved
         if self._empty >= EMPTY_FOR:
-            return "empty hand"
+            return EMPTY
         return "stuck" if self._stuck >= STUCK_FOR else ""

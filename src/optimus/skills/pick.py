@@ -9,6 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
+from optimus.motion.lines import distance
 from optimus.motion.plan import Segment
 from optimus.objects.shapes import SECTORS, Shape
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
@@ -25,6 +26,8 @@ LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -
 
 ALIKE = np.radians(8.0)
 """A grasp that was tried leans as one of these, within this [rad]."""
+MISS_RADIUS = 0.01
+"""A grasp this near to one that came up empty is not tried again [m], turns as in `lines.distance`."""
 OFF_CENTRE = 20.0
 """To take a thing a metre off its centre of mass is as bad as to turn by this [rad]."""
 
@@ -55,9 +58,9 @@ class Pick:
             at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
-        ways = _verified(shape, at) if shape.verified else None
+        ways = [(_tilt(pose), pose) for pose in _verified(shape, at)] if shape.verified else None
         for tilt in LEANING if roofed else UPRIGHT:
-            poses = _leant(shape, at, tilt) if ways is None else [pose for pose in ways if abs(_tilt(pose) - tilt) < ALIKE]
+            poses = _leant(shape, at, tilt) if ways is None else [p for lean, p in ways if abs(lean - tilt) < ALIKE]
             com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
             yield from sorted(poses, key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
@@ -69,6 +72,8 @@ class Pick:
 
         def goals() -> Iterator[Pose]:
             for goal in workspace.order(list(self.grasps(workspace, state, thing)), rng):
+                if _has_missed(workspace, thing, state.poses[thing].inverse @ goal):
+                    continue
                 if not workspace.fits(state, goal):
                     misfits.append(goal)
                 elif purpose is None or purpose.possible(_held(state, thing, goal)):
@@ -95,6 +100,11 @@ class Pick:
 def _held(state: State, thing: str, tcp: Pose) -> State:
     """`state` with `thing` in the hand, where it stands."""
     return replace(state, tcp=tcp, held=Held(thing, tcp.inverse @ state.poses[thing]), opening=0.0)
+
+
+def _has_missed(workspace: Workspace, thing: str, grasp: Pose) -> bool:
+    """Whether a grasp is nearly one that has come up empty before."""
+    return any(distance(grasp, other) < MISS_RADIUS for name, other in workspace.missed if name == thing)
 
 
 def _leant(shape: Shape, at: Pose, tilt: float) -> list[Pose]:

@@ -64,6 +64,9 @@ class Workspace:
     purpose: Purpose | None = None
     """Of the skill that is being refined, as far as it is known."""
 
+    missed: list[tuple[str, Pose]] = field(default_factory=list)
+    """Grasps that came up empty: the thing, and `object_from_tcp`."""
+
     deadline: float = np.inf
     """CPU time of this process [s] after which queries raise `OutOfTime`."""
 
