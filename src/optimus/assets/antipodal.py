@@ -18,7 +18,7 @@ CONE = np.cos(np.radians(25.0))
 """The far face's normal is within 25 degrees of the line on which the fingers close."""
 NARROWEST, CLEARANCE = 0.004, 0.010
 """A thing is at least this thick where it is taken, and the open hand wider by this [m]."""
-TIP, GAP, RAISED = 0.012, 0.002, 0.007
+TIP, GAP, RAISED = 0.012, 0.005, 0.009
 """Fingers end this far beyond the tcp, and stay this far above the ground; for that, the tcp is raised so much at most [m]."""
 TILTS = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 """Turns of the hand about the line on which the fingers close, from pointing straight down to level [rad]."""

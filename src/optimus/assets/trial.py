@@ -25,7 +25,7 @@ SLIP, TURN = 0.010, 0.20
 """A grasp holds if the thing moves less than this in the hand [m], and turns less than this [rad], after the fingers closed."""
 DRAG, TIP = 0.015, 0.20
 """... and while they close [m], [rad]."""
-NUDGES = ((0.0, 0.0, 0.0), (0.004, 0.003, 0.003), (-0.004, -0.003, -0.004))
+NUDGES = ((0.0, 0.0, 0.0), (0.004, 0.003, 0.003), (-0.004, -0.003, -0.008))
 """Errors of the hand's place, in its own frame [m], that a grasp has to stand."""
 TOUCH = 0.0005
 """Contacts shallower than this are none [m]."""
