@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import shutil
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -61,8 +60,7 @@ def library_folder() -> Path:
 def added() -> dict[str, Path]:
     """The user's own objects: name -> folder."""
     root = user_folder()
-    found = sorted(root.iterdir()) if root.is_dir() else []
-    return {path.name: path for path in found if (path / store.RECORD).is_file()}
+    return folders_in(root) if root.is_dir() else {}
 
 
 def folders_in(folder: Path) -> dict[str, Path]:
@@ -136,17 +134,15 @@ def facts_of(blueprint: Blueprint) -> Facts:
     return Facts(b.name, b.category, b.words, b.mass, b.friction, b.rgba, b.symmetric)
 
 
-def make(name: str) -> float:
-    """Make one object of the library and put it into the cache; the CPU seconds it took."""
+def make(name: str) -> None:
+    """Make one object of the library and put it into the cache."""
     from optimus.assets.thing import prepare
 
-    began = time.process_time()
     blueprint = LIBRARY[name]
     try:
         keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name)
     except AssetError as error:
         raise AssetError(f"{name} {error}") from error
-    return time.process_time() - began
 
 
 def keep(thing: Thing, folder: Path) -> None:
