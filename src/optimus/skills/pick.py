@@ -23,6 +23,9 @@ UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
+TURNED = tuple(np.radians((0.0, -11.0, 11.0, -22.0, 22.0)))
+"""Under a roof, where few ways in are left, a grasp that was tried is also taken turned by this about the line on which the fingers
+close [rad]: the pads touch the same places."""
 BETWEEN = np.radians(16.0)
 """A grasp that was tried counts as the nearest of these leans, if it is this near [rad]."""
 MISS_RADIUS = 0.01
@@ -58,7 +61,7 @@ class Pick:
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
         leans = LEANING if roofed else UPRIGHT
-        verified = _by_lean(_verified(shape, at), leans) if shape.verified else {}
+        verified = _by_lean(_verified(shape, at), leans, TURNED if roofed else (0.0,)) if shape.verified else {}
         for tilt in leans:
             poses = verified.get(tilt, []) if shape.verified else _leant(shape, at, tilt)
             com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
@@ -121,14 +124,15 @@ def _verified(shape: Shape, at: Pose) -> list[Pose]:
     return [pose for turn in turns for g in shape.grasps for pose in (turn @ g.pose, turn @ g.pose @ other_way_up)]
 
 
-def _by_lean(poses: list[Pose], leans: tuple[float, ...]) -> dict[float, list[Pose]]:
-    """Each pose under the one of `leans` [rad] that it is nearest to, if any is near."""
+def _by_lean(poses: list[Pose], leans: tuple[float, ...], turns: tuple[float, ...]) -> dict[float, list[Pose]]:
+    """Each pose, and each turn of it, under the one of `leans` that it is nearest to, if any is near [rad]."""
     found: dict[float, list[Pose]] = {}
-    for pose in poses:
-        tilt = _tilt(pose)
-        nearest = min(leans, key=lambda lean: abs(lean - tilt))
-        if abs(nearest - tilt) < BETWEEN:
-            found.setdefault(nearest, []).append(pose)
+    for turn in turns:
+        for pose in (pose @ Pose.of(rotvec=(0.0, turn, 0.0)) for pose in poses):
+            tilt = _tilt(pose)
+            nearest = min(leans, key=lambda lean: abs(lean - tilt))
+            if abs(nearest - tilt) < BETWEEN:
+                found.setdefault(nearest, []).append(pose)
     return found
 
 
