@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
@@ -37,6 +37,10 @@ class WindowConfig:
     """Weight of the labels near an opening or closing of the gripper; all others weigh 1."""
     change_reach: int = 2
     """How many steps before and after such a change count as near."""
+    ahead: int = 0
+    """Labels of the steps after a frame that are given with its own."""
+    images: bool = True
+    """Cut from the images; if not, the objects' positions are given with the proprioception instead."""
 
     @property
     def frames(self) -> int:
@@ -60,6 +64,8 @@ class Batch:
     """`(B, F)`: weight of each label; 0 where the frame only repeats the first one of its episode."""
     objects: NDArray[np.float32]
     """`(B, F, k, 3)` [m]."""
+    ahead: NDArray[np.float32]
+    """`(B, F, ahead, n)`: the labels of the steps after each frame; after the last step, its own again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,10 +88,10 @@ class Windows:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
-        self.cameras, self.control, self.robot = store.cameras, store.control, store.robot
+        self.cameras, self.control, self.robot = store.cameras if config.images else (), store.control, store.robot
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
-        self._tracks = [_track(header, store.cameras, config) for header in headers]
+        self._tracks = [_track(header, self.cameras, config) for header in headers]
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them.
         self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self._tracks])
@@ -142,6 +148,7 @@ class Windows:
             actions=np.stack([track.actions[frames.clip(0)] for track, frames in places]),
             weight=weight.astype(np.float32),
             objects=np.stack([track.objects[frames.clip(0)] for track, frames in places]),
+            ahead=np.stack([_ahead(track.actions, frames, self.config.ahead) for track, frames in places]),
         )
 
     def _place(self, index: int) -> tuple[_Track, NDArray[np.int64]]:
@@ -162,6 +169,11 @@ def _copy(out: NDArray[np.uint8], source: NDArray[np.uint8], frames: NDArray[np.
         out[:before] = source[0]
 
 
+def _ahead(actions: NDArray[np.float32], frames: NDArray[np.int64], count: int) -> NDArray[np.float32]:
+    """`(F, count, n)`: the labels of the steps after each of some frames."""
+    return actions[(frames.clip(0)[:, None] + np.arange(1, count + 1)).clip(max=len(actions) - 1)]
+
+
 def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) -> _Track:
     images = {}
     for camera in cameras:
@@ -175,6 +187,8 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
     for name, array in {**low, "actions": actions, "objects": objects}.items():
         require_finite(array, header.path, name)
     proprioception = {name: array.astype(np.float32) for name, array in low.items()}
+    if not config.images:
+        proprioception[OBJECT_POSITIONS] = objects.reshape(len(objects), -1)
     return _Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), objects)
 
 

@@ -103,7 +103,8 @@ class GradientWorkers:
 def batch_loss(
     policy: Policy, batch: Batch, config: LossConfig, noise: torch.Generator | None, half: bool
 ) -> tuple[Tensor, Tensor]:
-    """Mean negative log-likelihood of a batch's labels, and mean error of its objects' positions."""
+    """Mean loss of the head over a batch's labels (of a mixture: negative log-likelihood), and mean error of its objects'
+    positions."""
     images, proprioception = tensors(batch.images), tensors(batch.proprioception)
     # One crop for a run of frames.
     count = batch.actions.shape[1]
@@ -111,13 +112,16 @@ def batch_loss(
     frames = policy.frames(images, proprioception, shifts, half)
     context = policy.config.context
     features = policy.features(windows_of(policy.tokens(frames), context).flatten(0, 1), noise)
-    actions = windows_of(torch.from_numpy(batch.actions), context).flatten(0, 1)
+    labels = torch.from_numpy(batch.actions)
+    if batch.ahead.shape[2]:
+        labels = torch.cat([labels[:, :, None], torch.from_numpy(batch.ahead)], 2)
+    actions = windows_of(labels, context).flatten(0, 1)
     weight = windows_of(torch.from_numpy(batch.weight), context).flatten(0, 1)
     if config.supervise == "last":
         features, actions, weight = features[:, -1:], actions[:, -1:], weight[:, -1:]
-    loss = policy.head.loss(features, policy.normalise(actions))
+    loss = policy.head.loss(features, policy.normalise(actions), noise)
     likelihood = (loss * weight).sum() / weight.sum().clamp(min=1)
-    if config.location_weight == 0:
+    if config.location_weight == 0 or not policy.locates:
         return likelihood, torch.zeros(())
     return likelihood, policy.location_error(frames, torch.from_numpy(batch.objects)).mean()
 

@@ -25,7 +25,7 @@ from optimus.data.atomic import make_folder
 from optimus.data.curate import load_curation
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore, installed_versions
-from optimus.data.windows import WindowConfig, Windows
+from optimus.data.windows import Windows
 from optimus.errors import CheckpointError, DatasetError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
@@ -123,10 +123,9 @@ class _Trainer:
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
         store, curation = EpisodeStore.open(sources.dataset), load_curation(sources.dataset)
         extra = _corrections(sources.corrections, store)
-        context, crop = policy_config.context, policy_config.crop
-        cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
+        cut = policy_config.cut(config.windows, config.change_weight, config.change_reach)
         self.windows = Windows(store, curation.train, cut, extra)
-        self.validation = Windows(store, curation.validation, WindowConfig(context, 1, crop))
+        self.validation = Windows(store, curation.validation, policy_config.cut())
         self.position_scale: float | None = store.config.get(POSITION_SCALE)
         if sources.initial:
             policy = checkpoint.load(sources.initial, store.task, store.control, store.robot).train()

@@ -1,0 +1,105 @@
+"""A flow from noise to chunks of actions, taken in a few steps (Lipman et al., 2023; chunks: Zhao et al., 2023)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from optimus.data.episode import GRIPPER
+from optimus.learn.heads.mixture import Component
+
+_FREQUENCIES = 8
+"""Sines and cosines of the time that the velocity is told."""
+
+
+@dataclass(frozen=True)
+class FlowConfig:
+    """Straight paths from noise to data, and the velocity along them."""
+
+    chunk: int = 8
+    """Actions in an answer: the next one and those to follow."""
+    executed: int = 4
+    """How many of them are carried out before the next answer."""
+    steps: int = 4
+    """Of the integration by Euler's method."""
+    width: int = 512
+    layers: int = 3
+    kind: Literal["flow"] = "flow"
+
+    def build(self, width: int, actions: int) -> FlowHead:
+        """A head with random weights."""
+        return FlowHead(self, width, actions)
+
+
+@dataclass(frozen=True, eq=False)
+class Flow:
+    """Where noise is carried to, given the features that an answer is for."""
+
+    carried: Callable[[Tensor], Tensor]
+    """Noise `(..., chunk, n)` to normalised actions of the same shape."""
+    shape: torch.Size
+
+    def likeliest(self) -> Tensor:
+        """What the middle of the noise is carried to, `(..., chunk, n)`."""
+        return self.carried(torch.zeros(self.shape))
+
+    def sampled(self, noise: torch.Generator, sharpness: float = 1.0) -> Tensor:
+        """What noise is carried to, `(..., chunk, n)`; noise less by the root of `sharpness`, as a sharpened Gaussian is."""
+        return self.carried(torch.randn(self.shape, generator=noise) / math.sqrt(sharpness))
+
+    def answer(self, component: Component, noise: torch.Generator) -> Tensor:
+        """The actions `(..., chunk, n)`, their gripper -1 or 1. They are drawn by the flow itself for `sampled` and `paper`."""
+        actions = self.likeliest() if component == "likeliest" else self.sampled(noise)
+        shut = torch.where(actions[..., GRIPPER:] > 0, 1.0, -1.0)
+        return torch.cat([actions[..., :GRIPPER], shut], -1)
+
+
+class FlowHead(nn.Module):
+    """A multilayer perceptron: features, time and where the chunk is now, to its velocity."""
+
+    def __init__(self, config: FlowConfig, width: int, actions: int) -> None:
+        super().__init__()
+        self.config, self.actions = config, actions
+        size = config.chunk * actions
+        layers: list[nn.Module] = [nn.Linear(width + size + 2 * _FREQUENCIES, config.width), nn.SiLU()]
+        for _ in range(config.layers - 1):
+            layers += [nn.Linear(config.width, config.width), nn.SiLU()]
+        self.layers = nn.Sequential(*layers, nn.Linear(config.width, size))
+
+    def fit(self, actions: NDArray[np.float32]) -> None:
+        """Nothing to be known beforehand."""
+
+    def forward(self, features: Tensor) -> Flow:
+        """Features `(..., width)` to a flow over chunks `(..., chunk, n)`."""
+        features = features.float()
+        shape = torch.Size((*features.shape[:-1], self.config.chunk, self.actions))
+
+        def carried(x: Tensor) -> Tensor:
+            for k in range(self.config.steps):
+                time = torch.full(shape[:-2], k / self.config.steps)
+                x = x + self.velocity(features, x, time) / self.config.steps
+            return x
+
+        return Flow(carried, shape)
+
+    def velocity(self, features: Tensor, x: Tensor, time: Tensor) -> Tensor:
+        """Velocity at `x` `(..., chunk, n)` and `time` `(...)` in [0, 1], of the same shape as `x`."""
+        angles = time[..., None] * math.pi * torch.arange(1, _FREQUENCIES + 1, device=time.device)
+        seen = torch.cat([features, x.flatten(-2), angles.sin(), angles.cos()], -1)
+        return self.layers(seen).view(x.shape)
+
+    def loss(self, features: Tensor, actions: Tensor, noise: torch.Generator | None = None) -> Tensor:
+        """Squared error `(...)` of the velocity on the straight way from noise to normalised `actions` `(..., chunk, n)`, at a
+        random time of it; always the same noise without a generator."""
+        drawn = torch.Generator().manual_seed(0) if noise is None else noise
+        start, time = torch.randn(actions.shape, generator=drawn), torch.rand(actions.shape[:-2], generator=drawn)
+        part = time[..., None, None]
+        velocity = self.velocity(features.float(), (1 - part) * start + part * actions, time)
+        return (velocity - (actions - start)).square().mean((-1, -2))
