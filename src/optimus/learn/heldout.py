@@ -10,7 +10,7 @@ from torch import Tensor
 
 from optimus.data.episode import GRIPPER
 from optimus.data.windows import Windows
-from optimus.learn.gradient import tensors
+from optimus.learn.batches import on_device
 from optimus.learn.policy import Policy
 
 _RUNS_AT_ONCE = 32
@@ -34,21 +34,21 @@ def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float 
 
 
 def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, Tensor]:
-    batch = windows.batch(indices)
-    frames = policy.frames(tensors(batch.images), tensors(batch.proprioception))
+    batch = on_device(windows.batch(indices), policy.action_scale.device)
+    frames = policy.frames(batch.images, batch.proprioception)
     context = policy.config.context
     features = policy.features(policy.tokens(frames[:, -context:]))[:, -1]
-    label = torch.from_numpy(batch.actions[:, -1])
+    label = batch.actions[:, -1]
     mixture = policy.mixture(features)
     answer = policy.denormalise(mixture.likeliest())
     distance: Callable[[Tensor], Tensor] = lambda x: torch.linalg.vector_norm(x, dim=-1)  # noqa: E731
     seen = frames[:, -1]
     place = policy.located(seen) * policy.objects_deviation + policy.objects_mean
-    objects = torch.from_numpy(batch.objects[:, -1])
+    objects = batch.objects[:, -1]
     arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
     return {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
         "likelihood": -mixture.log_density(policy.normalise(label)),
-        "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).mean(-1),
+        "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).nanmean(-1),
     }
