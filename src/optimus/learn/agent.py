@@ -101,7 +101,7 @@ def _with_prepacked_encoders(policy: Policy) -> Policy:
     side = policy.config.crop
     for encoder in acting.encoders.values():
         image = torch.zeros(1, 3, side, side).to(memory_format=torch.channels_last)
-        encoder.trunk = prepacked(encoder.trunk, image)  # pyright: ignore[reportAttributeAccessIssue]
+        encoder.trunk = prepacked(encoder.get_submodule("trunk"), image)
     return acting
 
 

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from optimus.data.episode import GRIPPER
 from optimus.data.windows import Windows
-from optimus.learn.gradient import tensors
+from optimus.learn.batches import on_device
 from optimus.learn.policy import Policy
 
 _RUNS_AT_ONCE = 32
@@ -34,12 +34,11 @@ def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float 
 
 
 def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, Tensor]:
-    batch = windows.batch(indices)
-    frames = policy.frames(tensors(batch.images), tensors(batch.proprioception))
+    batch = on_device(windows.batch(indices), policy.action_scale.device)
+    frames = policy.frames(batch.images, batch.proprioception)
     context = policy.config.context
     features = policy.features(policy.tokens(frames[:, -context:]))[:, -1]
-    label = torch.from_numpy(batch.actions[:, -1])
-    chunk = label if not batch.ahead.shape[2] else torch.from_numpy(np.concatenate([batch.actions[:, -1:], batch.ahead[:, -1]], 1))
+    label = batch.actions[:, -1]
     answer = policy.denormalise(policy.answers(features).likeliest())
     answer = answer if answer.ndim == 2 else answer[:, 0]
     distance: Callable[[Tensor], Tensor] = lambda x: torch.linalg.vector_norm(x, dim=-1)  # noqa: E731
@@ -47,10 +46,10 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
     errors = {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
-        "likelihood": policy.head.loss(features, policy.normalise(chunk)),
+        "likelihood": policy.head.loss(features, policy.normalise(batch.labels[:, -1])),
     }
     if policy.locates:
         place = policy.located(frames[:, -1]) * policy.objects_deviation + policy.objects_mean
-        off = place.unflatten(-1, (-1, 3)) - torch.from_numpy(batch.objects[:, -1])
-        errors["location_error_mm"] = 1000 * distance(off).mean(-1)
+        off = place.unflatten(-1, (-1, 3)) - batch.objects[:, -1]
+        errors["location_error_mm"] = 1000 * distance(off).nanmean(-1)
     return errors

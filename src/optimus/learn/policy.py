@@ -123,8 +123,10 @@ class Policy(nn.Module):
         low = self._low({n: torch.from_numpy(a) for n, a in windows.proprioception.items()}).double()
         objects = torch.from_numpy(windows.objects).flatten(1).double()
         for name, values in (("low", low), ("objects", objects)):
-            getattr(self, f"{name}_mean").copy_(values.mean(0))
-            getattr(self, f"{name}_deviation").copy_(values.std(0, correction=0).clamp(min=_SMALLEST_DEVIATION))
+            mean = values.nanmean(0)
+            deviation = (values - mean).square().nanmean(0).sqrt()
+            getattr(self, f"{name}_mean").copy_(mean)
+            getattr(self, f"{name}_deviation").copy_(deviation.clamp(min=_SMALLEST_DEVIATION))
         # One scale for all of position and one for all of rotation (or one for all joints), so that directions are kept; +-0.9
         # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)
@@ -182,9 +184,11 @@ class Policy(nn.Module):
         return self.locate(frames[..., : self.looked])
 
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
-        """Smooth absolute error `(...)` of positions, from frame features and `(..., k, 3)` [m]."""
+        """Smooth absolute error `(...)` of positions, from frame features and `(..., k, 3)` [m]; NaN is nothing to err about."""
         target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
-        return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
+        there = target.isfinite()
+        error = F.smooth_l1_loss(self.located(frames), target.where(there, 0.0), reduction="none", beta=0.1)
+        return (error * there).sum(-1) / there.sum(-1).clamp(min=1)
 
     @property
     def parameter_count(self) -> int:

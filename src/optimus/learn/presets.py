@@ -2,47 +2,39 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
-from optimus.errors import OptimusError
+from optimus.errors import UnknownNameError
 from optimus.learn.encoder import EncoderConfig, ResNetConfig
-from optimus.learn.gradient import LossConfig
 from optimus.learn.heads import BeTConfig, FlowConfig, HeadConfig, MixtureConfig
 from optimus.learn.policy import PolicyConfig
-from optimus.learn.schedule import RateConfig
-from optimus.learn.train import TrainConfig
 from optimus.learn.trunk import LSTMConfig, MLPConfig, TransformerConfig
 
 HeadName = Literal["gmm", "gaussian", "mse", "flow", "bet"]
 Observe = Literal["images", "state"]
 
+PAPERS_DEVIATION = 1e-4
+"""Table D.1: the smallest deviation of a mixture's components."""
+
 
 @dataclass(frozen=True)
 class Preset:
-    """A network, and what it is trained with where nothing else is asked for."""
+    """A network, and the recipe it is trained by where no other is asked for."""
 
     policy: PolicyConfig
-    train: TrainConfig = field(default_factory=TrainConfig)
-
-
-PAPERS_TRAINING = TrainConfig(
-    steps=1_000_000,
-    loss=LossConfig(runs=16, supervise="last", location_weight=0.0),
-    rate=RateConfig(first=1e-4, last=1e-5, warm_up=0, shape="linear", over=100_000),
-)
-"""Table D.1: batches of 16 windows, one label each."""
+    recipe: str = "quick"
 
 
 def preset(name: str, head: HeadName | None = None, observe: Observe = "images") -> Preset:
     """The preset of this name, perhaps with another head, or told the objects' positions instead of seeing.
 
-    `OptimusError` if there is none of this name.
+    `UnknownNameError` if there is none of this name.
     """
     if name not in PRESETS:
-        raise OptimusError(f"there is no preset {name!r}; there are {', '.join(PRESETS)}")
+        raise UnknownNameError("preset", name, PRESETS)
     if head is not None and head not in get_args(HeadName):
-        raise OptimusError(f"there is no head {head!r}; there are {', '.join(get_args(HeadName))}")
+        raise UnknownNameError("head", head, get_args(HeadName))
     found = PRESETS[name]
     policy = replace(found.policy, observe=observe)
     return replace(found, policy=policy if head is None else replace(policy, head=_head(head, _precision(found.policy))))
@@ -66,13 +58,10 @@ def _head(name: HeadName, min_deviation: float) -> HeadConfig:
     return heads[name]
 
 
-PAPERS_DEVIATION = 1e-4
-
-
 def _papers(trunk: TransformerConfig | MLPConfig | LSTMConfig, context: int, head: HeadName = "gmm") -> Preset:
     """The vision and training of Tables D.1 and D.2 around a trunk."""
     policy = PolicyConfig(context, encoder=ResNetConfig(), trunk=trunk, head=_head(head, PAPERS_DEVIATION), locates=False)
-    return Preset(policy, PAPERS_TRAINING)
+    return Preset(policy, "paper")
 
 
 def _quick(trunk: TransformerConfig | MLPConfig | LSTMConfig, context: int, head: HeadName = "gmm") -> Preset:

@@ -45,14 +45,15 @@ class Flow:
     carried: Callable[[Tensor], Tensor]
     """Noise `(..., chunk, n)` to normalised actions of the same shape."""
     shape: torch.Size
+    device: torch.device
 
     def likeliest(self) -> Tensor:
         """What the middle of the noise is carried to, `(..., chunk, n)`."""
-        return self.carried(torch.zeros(self.shape))
+        return self.carried(torch.zeros(self.shape, device=self.device))
 
-    def sampled(self, noise: torch.Generator, sharpness: float = 1.0) -> Tensor:
-        """What noise is carried to, `(..., chunk, n)`; noise less by the root of `sharpness`, as a sharpened Gaussian is."""
-        return self.carried(torch.randn(self.shape, generator=noise) / math.sqrt(sharpness))
+    def sampled(self, noise: torch.Generator) -> Tensor:
+        """What noise is carried to, `(..., chunk, n)`."""
+        return self.carried(torch.randn(self.shape, generator=noise, device=self.device))
 
     def answer(self, component: Component, noise: torch.Generator) -> Tensor:
         """The actions `(..., chunk, n)`, their gripper -1 or 1. They are drawn by the flow itself for `sampled` and `paper`."""
@@ -83,11 +84,11 @@ class FlowHead(nn.Module):
 
         def carried(x: Tensor) -> Tensor:
             for k in range(self.config.steps):
-                time = torch.full(shape[:-2], k / self.config.steps)
+                time = features.new_full(shape[:-2], k / self.config.steps)
                 x = x + self.velocity(features, x, time) / self.config.steps
             return x
 
-        return Flow(carried, shape)
+        return Flow(carried, shape, features.device)
 
     def velocity(self, features: Tensor, x: Tensor, time: Tensor) -> Tensor:
         """Velocity at `x` `(..., chunk, n)` and `time` `(...)` in [0, 1], of the same shape as `x`."""
@@ -98,8 +99,10 @@ class FlowHead(nn.Module):
     def loss(self, features: Tensor, actions: Tensor, noise: torch.Generator | None = None) -> Tensor:
         """Squared error `(...)` of the velocity on the straight way from noise to normalised `actions` `(..., chunk, n)`, at a
         random time of it; always the same noise without a generator."""
-        drawn = torch.Generator().manual_seed(0) if noise is None else noise
-        start, time = torch.randn(actions.shape, generator=drawn), torch.rand(actions.shape[:-2], generator=drawn)
+        device = actions.device
+        drawn = torch.Generator(device).manual_seed(0) if noise is None else noise
+        start = torch.randn(actions.shape, generator=drawn, device=device)
+        time = torch.rand(actions.shape[:-2], generator=drawn, device=device)
         part = time[..., None, None]
         velocity = self.velocity(features.float(), (1 - part) * start + part * actions, time)
         return (velocity - (actions - start)).square().mean((-1, -2))
