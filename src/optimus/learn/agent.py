@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import copy
 from collections import deque
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
+from torch._inductor import config as inductor
 
 from optimus.data.episode import IMAGE_SUFFIX, Observation
 from optimus.errors import CheckpointError
@@ -41,9 +43,7 @@ class PolicyAgent:
         self.component: Component = component
         self._look, self._think = self.policy.token, self.policy.features
         if compiled:
-            # Dictionaries of plain tensors in, one tensor out; weights become constants, laid out for the machine.
-            self._look = torch.compile(self._look, options={"freezing": True})
-            self._think = torch.compile(self._think, options={"freezing": True})
+            self._look, self._think = _compiled(self.policy)
         elif self.policy.config.encoder.prepacked:
             self._look = _with_prepacked_encoders(self.policy).token
         self._tokens: deque[Tensor] = deque(maxlen=self.policy.config.context)
@@ -93,6 +93,19 @@ class PolicyAgent:
         images = {camera: _centre(observation[camera + IMAGE_SUFFIX], crop) for camera in inputs.cameras}
         low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
         return images, low
+
+
+@torch.no_grad()
+def _compiled(policy: Policy) -> tuple[Callable[..., Tensor], Callable[..., Tensor]]:
+    """`policy.token` of one frame and `policy.features` of one window, compiled: the weights become constants that are laid out for
+    the machine, which PyTorch does only where this is set while it compiles."""
+    config, seen = policy.config, policy.inputs
+    images = {camera: torch.zeros(1, config.crop, config.crop, 3, dtype=torch.uint8) for camera in seen.cameras}
+    low = {name: torch.ones(1, size) for name, size in seen.proprioception.items()}
+    look, think = torch.compile(policy.token, dynamic=False), torch.compile(policy.features, dynamic=False)
+    with inductor.patch(freezing=True):
+        think(look(images, low)[:, None].repeat(1, config.context, 1))
+    return look, think
 
 
 def _with_prepacked_encoders(policy: Policy) -> Policy:

@@ -29,6 +29,7 @@ from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.batches import source_on
 from optimus.learn.board import Board, BoardName, board, require_board
+from optimus.learn.card import write_card
 from optimus.learn.gradient import GradientWorkers, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
 from optimus.learn.heldout import held_out
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
@@ -191,6 +192,7 @@ class _Trainer:
         best = self.best
         if best is not None and best["step"] == self.state.step != checkpoint.best_step(self.run):
             checkpoint.save_best(self.run, self.state.average, self.state.step, best[_ERROR])
+        write_card(self.run)
 
     def _consumed(self) -> float:
         """Training time so far [s], that of earlier sessions included."""

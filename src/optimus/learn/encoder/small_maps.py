@@ -61,12 +61,12 @@ class TapProducts(torch.autograd.Function):
         h, w, _, c = pixels.shape
         high, wide, _, wider = above.shape
         below = torch.zeros_like(pixels, dtype=torch.float32)
-        of_weight = weight.new_empty((3, 3, wider, c))
+        of_weight = torch.empty_like(weight)  # in the weight's own layout: the optimiser is slow where the two differ
         for tap, seen, made in _taps((h, w), (high, wide), ctx.stride):
             rows = above[made].reshape(-1, wider)
             below[seen] += (rows @ weight[(..., *tap)]).view(below[seen].shape)
-            of_weight[tap] = rows.T @ pixels[seen].reshape(-1, c)
-        return below.to(pixels.dtype).permute(2, 3, 0, 1), of_weight.permute(2, 3, 0, 1), None
+            of_weight[(..., *tap)] = rows.T @ pixels[seen].reshape(-1, c)
+        return below.to(pixels.dtype).permute(2, 3, 0, 1), of_weight, None
 
 
 def _taps(seen: tuple[int, int], made: tuple[int, int], stride: int) -> Iterator[tuple[tuple[int, int], _Span, _Span]]:
