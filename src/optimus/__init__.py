@@ -28,7 +28,8 @@ def load_policy(run: Path | str, component: Component = "sampled", compiled: boo
     """The policy in the folder of a training run, to act with: `reset()`, then `act(observation)` step by step.
 
     `act` takes what `optimus/...` environments observe (a dictionary of arrays) and gives the action `(n,)` float32.
-    `CheckpointError` if there is no policy in the folder, or it is damaged. See `optimus.learn.agent.PolicyAgent` for `component` and `compiled`.
+    `CheckpointError` if there is no policy in the folder, or it is damaged. See
+    `optimus.learn.agent.PolicyAgent` for `component` and `compiled`.
     """
     from optimus.learn.agent import PolicyAgent  # torch takes seconds, and most of the package does without
 

@@ -21,7 +21,8 @@ _FREQUENCIES = 8
 
 @dataclass(frozen=True)
 class FlowConfig:
-    """Straight paths from noise to data, and the velocity along them."""
+    """Straight paths from noise to data. What is learned is where such a path leads to on the average, not the velocity along it:
+    the two say the same, but near the end this one does not err by much."""
 
     chunk: int = 8
     """Actions in an answer: the next one and those to follow."""
@@ -63,7 +64,7 @@ class Flow:
 
 
 class FlowHead(nn.Module):
-    """A multilayer perceptron: features, time and where the chunk is now, to its velocity."""
+    """A multilayer perceptron: features, time and where the chunk is now, to where it will be at the end."""
 
     def __init__(self, config: FlowConfig, width: int, actions: int) -> None:
         super().__init__()
@@ -85,24 +86,25 @@ class FlowHead(nn.Module):
         def carried(x: Tensor) -> Tensor:
             for k in range(self.config.steps):
                 time = features.new_full(shape[:-2], k / self.config.steps)
-                x = x + self.velocity(features, x, time) / self.config.steps
+                # the velocity is the way that is left over the time that is left
+                x = x + (self.end(features, x, time) - x) / (self.config.steps - k)
             return x
 
         return Flow(carried, shape, features.device)
 
-    def velocity(self, features: Tensor, x: Tensor, time: Tensor) -> Tensor:
-        """Velocity at `x` `(..., chunk, n)` and `time` `(...)` in [0, 1], of the same shape as `x`."""
+    def end(self, features: Tensor, x: Tensor, time: Tensor) -> Tensor:
+        """The mean end of paths through `x` `(..., chunk, n)` at `time` `(...)` in [0, 1), of the same shape as `x`."""
         angles = time[..., None] * math.pi * torch.arange(1, _FREQUENCIES + 1, device=time.device)
         seen = torch.cat([features, x.flatten(-2), angles.sin(), angles.cos()], -1)
         return self.layers(seen).view(x.shape)
 
     def loss(self, features: Tensor, actions: Tensor, noise: torch.Generator | None = None) -> Tensor:
-        """Squared error `(...)` of the velocity on the straight way from noise to normalised `actions` `(..., chunk, n)`, at a
-        random time of it; always the same noise without a generator."""
+        """Mean squared error `(...)` of the end, seen from a random time of the straight path from noise to normalised `actions`
+        `(..., chunk, n)`; always the same noise without a generator."""
         device = actions.device
         drawn = torch.Generator(device).manual_seed(0) if noise is None else noise
         start = torch.randn(actions.shape, generator=drawn, device=device)
         time = torch.rand(actions.shape[:-2], generator=drawn, device=device)
         part = time[..., None, None]
-        velocity = self.velocity(features.float(), (1 - part) * start + part * actions, time)
-        return (velocity - (actions - start)).square().mean((-1, -2))
+        end = self.end(features.float(), (1 - part) * start + part * actions, time)
+        return (end - actions).square().mean((-1, -2))
