@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, controller, require_control
-from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
+from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OBJECT_POSITIONS, OSC, Observation
 from optimus.errors import ModelError
 from optimus.render import Rig
 from optimus.robots import Robot
@@ -48,9 +48,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         render_mode: str | None = None,
         control: str = OSC,
         robot: Robot | None = None,
+        positions: bool = False,
     ) -> None:
-        """`robot` takes the place of the task's own."""
+        """`robot` takes the place of the task's own; with `positions`, agents are told where the movables are."""
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
+        self.positions = positions
         self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
@@ -64,6 +66,9 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             name: gymnasium.spaces.Box(*((-7.0, 7.0) if name == "robot0_joint_pos" else (-4.0, 4.0)), seen.shape, np.float32)
             for name, seen in self._proprioception().items()
         }
+        if self.positions:
+            size = 3 * len(self.world.scene.movable_names)
+            spaces[OBJECT_POSITIONS] = gymnasium.spaces.Box(-np.inf, np.inf, (size,), np.float32)
         if self.images:
             for camera in self.world.image_cameras:
                 shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
@@ -141,6 +146,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def observe(self) -> Observation:
         """What an agent may see, under robosuite's names (`robot0_eef_quat` is xyzw, as there)."""
         seen: Observation = dict(self._proprioception())
+        if self.positions:
+            seen[OBJECT_POSITIONS] = self.object_positions().astype(np.float32).ravel()
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)

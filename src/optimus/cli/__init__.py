@@ -11,11 +11,13 @@ from optimus.cli.demonstrations import collect, curate
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
-from optimus.cli.policies import evaluate, train
+from optimus.cli.policies import evaluate, export_policy, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+VERBS = {
+    f.__name__.replace("_", "-"): f for f in (tasks, objects, show, collect, curate, train, evaluate, export_policy, run, bench)
+}
 
 
 def main() -> None:

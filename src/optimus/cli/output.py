@@ -56,14 +56,14 @@ def _text(value: Any) -> str:
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
-def _new_bar(total: int | None, what: str, unit: str) -> Any:
-    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5)
+def _new_bar(total: int | None, what: str, unit: str, silent: bool = False) -> Any:
+    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=silent)
 
 
 @contextmanager
-def bar(total: int | None, what: str, unit: str) -> Iterator[Any]:
-    """A progress bar."""
-    with _new_bar(total, what, unit) as made:
+def bar(total: int | None, what: str, unit: str, silent: bool = False) -> Iterator[Any]:
+    """A progress bar; none if it is to be silent."""
+    with _new_bar(total, what, unit, silent) as made:
         yield made
 
 

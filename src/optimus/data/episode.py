@@ -34,6 +34,10 @@ PROPRIOCEPTION: dict[str, int] = {
 finger positions [m], and the controller's target minus the tcp (position [m], rotation vector [rad]). Under joint control
 `robot0_joint_pos` and `robot0_joint_target_error` `(dof,)` [rad] stand in place of the last."""
 
+OBJECT_POSITIONS = "object_positions"
+"""Where an agent that is told the scene's state instead of seeing it finds the movables' positions `(3 k,)` [m], as the scene
+orders them. Datasets hold them in `objects`."""
+
 IMAGE_SUFFIX = "_image"
 IMAGE_SIZE = 84
 
