@@ -25,6 +25,8 @@ from optimus.world import World, compile_scene
 
 SUBSTEPS = round(1 / (CONTROL_HZ * PHYSICS_DT))
 FULL_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+RECORDED_STATE = mujoco.mjtState.mjSTATE_FULLPHYSICS
+"""Time, positions, velocities: what episodes keep of every step."""
 SETTLE_SECONDS = 0.25
 """Physics run after placing the objects, before the first observation."""
 
@@ -132,10 +134,10 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """The kinematic snapshot, with what is held."""
         return self.world.state(self.data)
 
-    def snapshot(self) -> Array:
-        """The full physics state `(n,)`, from which `reset(options={"state": ...})` starts again."""
-        out = np.empty(mujoco.mj_stateSize(self.world.model, FULL_STATE))
-        mujoco.mj_getState(self.world.model, self.data, out, FULL_STATE)
+    def snapshot(self, kind: mujoco.mjtState = FULL_STATE) -> Array:
+        """The physics state `(n,)`; from the full one, `reset(options={"state": ...})` starts again."""
+        out = np.empty(mujoco.mj_stateSize(self.world.model, kind))
+        mujoco.mj_getState(self.world.model, self.data, out, kind)
         return out
 
     def observe(self) -> Observation:

@@ -35,7 +35,19 @@ finger positions [m], and the controller's target minus the tcp (position [m], r
 `robot0_joint_pos` and `robot0_joint_target_error` `(dof,)` [rad] stand in place of the last."""
 
 IMAGE_SUFFIX = "_image"
+DEPTH_SUFFIX = "_depth"
+"""`(T, h, w)` float32: distance along the camera's axis [m]."""
+SEGMENTATION_SUFFIX = "_segmentation"
+"""`(T, h, w)` uint8: 0 where there is nothing of note, else 1 + the index into the episode's `info[SEGMENTED]`."""
 IMAGE_SIZE = 84
+
+VIEWS = "views"
+"""In `Episode.info`: the fixed cameras, name -> `pos` `(3,)` [m], `quat` wxyz (it looks along -z, up is y; base frame), `fovy` [deg]."""
+STATE_COLUMNS = "state_columns"
+"""In `Episode.info`: `objects` and `doors`, name -> the column of `states` at which an object's pose (position [m], quaternion wxyz)
+begins, or in which a door's angle [rad] is."""
+SEGMENTED = "segmented"
+"""In `Episode.info`: the names that segmentation images refer to."""
 
 Observation = dict[str, NDArray[Any]]
 """One step: the arrays of `PROPRIOCEPTION` as float32 `(n,)`, and `<camera>_image` as uint8 `(84, 84, 3)`."""
@@ -67,7 +79,10 @@ class Episode:
     skeleton: tuple[str, ...] = ()
     """The plan's skills in order, e.g. `("pick", "stack")`; empty for a policy."""
     info: dict[str, Any] = field(default_factory=dict)
-    """JSON-able facts: variant of the scene, timings, tracking error, retries, versions."""
+    """JSON-able facts: variant of the scene, timings, tracking error, retries, versions, `VIEWS`, `STATE_COLUMNS`."""
+    states: NDArray[np.float64] | None = None
+    """`(T, n)`: the simulator's time [s], positions and velocities (MuJoCo's qpos and qvel) at each observation, from which it can be
+    rendered again; None where nobody recorded them."""
 
     def __len__(self) -> int:
         return len(self.actions)

@@ -169,7 +169,7 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}")
         images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
-    names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]
+    names = [n for n in header.observation_names if len(header.arrays[OBSERVATION_PREFIX + n].shape) == 2]
     low = {name: header.read(OBSERVATION_PREFIX + name) for name in names}
     actions, objects = header.read("actions"), header.read("objects")
     for name, array in {**low, "actions": actions, "objects": objects}.items():
@@ -186,12 +186,16 @@ def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray
     return weight
 
 
+_NOT_CUT = {"initial_state", "states"}
+"""What windows have no use for."""
+
+
 def _require_same_shapes(headers: list[EpisodeHeader]) -> None:
     """All episodes have the same arrays, of the same shapes but for the number of steps."""
     first = headers[0]
-    expected = {n: s.shape[1:] for n, s in first.arrays.items() if n != "initial_state"}
+    expected = {n: s.shape[1:] for n, s in first.arrays.items() if n not in _NOT_CUT}
     for header in headers:
-        shapes = {n: s.shape[1:] for n, s in header.arrays.items() if n != "initial_state"}
+        shapes = {n: s.shape[1:] for n, s in header.arrays.items() if n not in _NOT_CUT}
         for name in sorted(expected.keys() | shapes.keys()):
             if expected.get(name) != shapes.get(name):
                 raise DatasetError(
