@@ -26,7 +26,7 @@ def bench_collect(config: BenchConfig, progress: Progress) -> dict[str, Any]:
         asked = CollectConfig(
             config.task, folder / "data", config.episodes, config.seed, workers, control=config.control, robot=config.robot
         )
-        result = collect(asked, lambda done: progress(done, done))
+        result = collect(asked, lambda tally: progress(tally.successes, tally.successes))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     return {

@@ -4,13 +4,24 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
-from optimus.cli.options import ControlName, Dataset, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot
-from optimus.cli.output import bar, counter, say
+from optimus.cli.options import (
+    Backend,
+    ControlName,
+    Dataset,
+    FirstSeed,
+    Json,
+    ObjectsName,
+    RobotName,
+    TaskName,
+    Workers,
+    chosen_robot,
+)
+from optimus.cli.output import bar, say
 
 if TYPE_CHECKING:
-    from optimus.demonstrate import ExpertConfig
+    from optimus.collect import Tally
 
 
 def collect(
@@ -19,8 +30,15 @@ def collect(
     episodes: int = 200,
     seed: FirstSeed = 0,
     workers: Workers = 0,
+    backend: Backend = "local",
+    images: bool = True,
     perturb: bool = True,
+    gripper: Literal["binary", "continuous"] = "binary",
     stall: int = 5,
+    grasps: Literal["fixed", "random"] = "fixed",
+    ik: Literal["fixed", "random"] = "fixed",
+    motion: Literal["straight", "sampled"] = "straight",
+    speed: float = 0.35,
     check: bool = False,
     policy: Path | None = None,
     control: ControlName = "osc",
@@ -32,36 +50,62 @@ def collect(
 
     Try:
         optimus collect stack --episodes 300 --out data/stack
+        optimus collect stack --episodes 5000 --out data/states --no-images    (`optimus render` adds images)
+        optimus collect stack --episodes 300 --out data/sampled --motion sampled --grasps random --ik random --no-perturb
         optimus collect stack --episodes 100 --out data/corrections --policy runs/stack --seed 5000000
 
     Args:
         out: the dataset's folder
         episodes: successful demonstrations wanted
+        images: render what the cameras see; without, `optimus render` can do so later, exactly alike
         perturb: push the arm off its path now and then, the label staying the expert's own answer
+        gripper: told to be open or shut, or led from one to the other over the stall
         stall: steps for which the gripper alone acts at a grasp or a release
+        grasps: grasps and placements in a fixed order, the least turned first, or at random
+        ik: ways of the arm to reach a pose by their distance, or at random; matters where no straight way is taken
+        motion: straight ways first, or all but the last stretch as the sampling planner finds it
+        speed: of the hand along its way [m/s]
         check: leave out plans that do not stand up to an independent check of their motions and effects
         policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
     """
     from optimus.collect import CollectConfig
     from optimus.collect import collect as run_collect
     from optimus.correct import Turns
+    from optimus.demonstrate import ExpertConfig
+    from optimus.expert import TimeLaw
+    from optimus.rollout import Perturbation
+    from optimus.skills import Style
     from optimus.tasks import with_objects
 
-    expert, turns = _expert(perturb, stall, check), Turns(policy) if policy else None
-    arm = chosen_robot(robot)
-    config = CollectConfig(with_objects(task, objects), out, episodes, seed, workers, expert, turns, control=control, robot=arm)
+    style, law = Style(grasps=grasps, ik=ik, motion=motion), TimeLaw(speed=speed, stall=stall, gripper=gripper)
+    expert = ExpertConfig(style, law, perturbation=Perturbation() if perturb else None, check=check)
+    config = CollectConfig(
+        task=with_objects(task, objects),
+        out=out,
+        episodes=episodes,
+        seed=seed,
+        workers=workers,
+        expert=expert,
+        turns=Turns(policy) if policy else None,
+        control=control,
+        robot=chosen_robot(robot),
+        images=images,
+        backend=backend,
+    )
     with bar(episodes, f"collect {task}", "demo") as shown:
-        result = run_collect(config, lambda done: counter(shown)(done, done))
+        result = run_collect(config, lambda tally: _show(shown, tally))
     text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
     say({"dataset": str(out), **asdict(result)}, json, text)
 
 
-def _expert(perturb: bool, stall: int, check: bool) -> ExpertConfig:
-    from optimus.demonstrate import ExpertConfig
-    from optimus.expert import TimeLaw
-    from optimus.rollout import Perturbation
-
-    return ExpertConfig(law=TimeLaw(stall=stall), perturbation=Perturbation() if perturb else None, check=check)
+def _show(bar: Any, tally: Tally) -> None:
+    """What there is, how fast it grows, the share of attempts that succeed, and why most of the others do not."""
+    bar.initial, bar.n = tally.had, tally.successes
+    reasons = [f"{n} {reason}" for reason, n in tally.failures.most_common(2)]
+    more = len(tally.failures) - len(reasons)
+    notes = [f"success {tally.successes / max(1, tally.attempts):.0%}", *reasons, *([f"{more} other reasons"] if more else [])]
+    bar.set_postfix_str("; ".join(notes), refresh=False)
+    bar.refresh()
 
 
 def curate(dataset: Dataset, max_length_sd: float = 2.0, json: Json = False) -> None:

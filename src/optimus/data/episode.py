@@ -14,6 +14,10 @@ GRIPPER = -1
 OSC = "osc"
 """The way of control where none is recorded."""
 
+BINARY, CONTINUOUS = "binary", "continuous"
+"""What an action tells the gripper: to open or to shut, by its sign, which is meant where nothing is recorded; or where to be, from
+-1 open to 1 shut."""
+
 TASKS_OWN = "the task's own"
 """The robot where none is recorded; others are recorded by name."""
 
@@ -42,10 +46,11 @@ SEGMENTATION_SUFFIX = "_segmentation"
 IMAGE_SIZE = 84
 
 VIEWS = "views"
-"""In `Episode.info`: the fixed cameras, name -> `pos` `(3,)` [m], `quat` wxyz (it looks along -z, up is y; base frame), `fovy` [deg]."""
+"""In `Episode.info`: the fixed cameras, name -> `pos` `(3,)` [m] and `quat` wxyz in the base frame (it looks along its -z, and
+its y is up), `fovy` [deg]."""
 STATE_COLUMNS = "state_columns"
-"""In `Episode.info`: `objects` and `doors`, name -> the column of `states` at which an object's pose (position [m], quaternion wxyz)
-begins, or in which a door's angle [rad] is."""
+"""In `Episode.info`: `objects` and `doors`, name -> the column of `states` at which an object's pose begins (position [m],
+quaternion wxyz), or in which a door's angle [rad] is."""
 SEGMENTED = "segmented"
 """In `Episode.info`: the names that segmentation images refer to."""
 
@@ -81,8 +86,8 @@ class Episode:
     info: dict[str, Any] = field(default_factory=dict)
     """JSON-able facts: variant of the scene, timings, tracking error, retries, versions, `VIEWS`, `STATE_COLUMNS`."""
     states: NDArray[np.float64] | None = None
-    """`(T, n)`: the simulator's time [s], positions and velocities (MuJoCo's qpos and qvel) at each observation, from which it can be
-    rendered again; None where nobody recorded them."""
+    """`(T, n)`: the simulator's time [s], positions and velocities (MuJoCo's qpos and qvel) at each observation, from which it
+    can be rendered again; None where nobody recorded them."""
 
     def __len__(self) -> int:
         return len(self.actions)
