@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +13,6 @@ from optimus.control import JOINT_SCALE
 from optimus.data.episode import GRIPPER, STATE_COLUMNS, VIEWS, Episode, Observation
 from optimus.env import RECORDED_STATE, ManipulationEnv
 from optimus.predicates import holds
-from optimus.scene import Camera
-from optimus.se3 import look_at
 from optimus.world import World
 
 JOINT_TREMBLE = 0.005
@@ -171,16 +169,11 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
             "paper_success": env.problem.paper_success(env.state()),
             "control": env.control,
             "goal": sorted(str(a) for a in env.problem.goal),
-            VIEWS: {camera.name: view_record(camera) for camera in env.world.scene.cameras},
+            VIEWS: env.world.views,
             STATE_COLUMNS: state_columns(env.world),
         },
         states=np.stack(log.states),
     )
-
-
-def view_record(camera: Camera) -> dict[str, Any]:
-    """What an episode says of a fixed camera, see `VIEWS`."""
-    return {"pos": list(camera.pos), "quat": look_at(camera.pos, camera.target).tolist(), "fovy": camera.fovy}
 
 
 def state_columns(world: World) -> dict[str, dict[str, int]]:

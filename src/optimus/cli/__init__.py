@@ -12,10 +12,11 @@ from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
 from optimus.cli.policies import evaluate, train
+from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+VERBS = {f.__name__: f for f in (tasks, objects, show, collect, render, curate, train, evaluate, run, bench)}
 
 
 def main() -> None:
