@@ -56,13 +56,11 @@ def test_the_longer_of_two_skeletons_is_kept(store: EpisodeStore) -> None:
 
 def test_the_workspace_and_the_tracking_error_are_limits(store: EpisodeStore) -> None:
     for seed in range(4):
-        write(store, seed)
-    wide = make_episode(4, 10, cameras=("front",))
+        write(store, seed, info={"tracking_error": {"median": 0.005, "max": 0.06}})
+    wide = make_episode(4, 10, cameras=("front",), info={"tracking_error": {"median": 0.005, "max": 0.01}})
     wide.observations["robot0_eef_pos"][5] = (0, 0, 0.9)
     store.write(wide)
-    lax = make_episode(5, 10, cameras=("front",))
-    lax.observations["robot0_target_error"] = np.full((10, 6), 0.05, np.float32)
-    store.write(lax)
+    write(store, 5, info={"tracking_error": {"median": 0.05, "max": 0.06}})
     config = CurationConfig(workspace_min=(-1, -1, -0.1), workspace_max=(1, 1, 0.5), max_tracking_error=0.01)
     assert curate(store.path, config).dropped == {4: "outside workspace", 5: "tracking error"}
     assert curate(store.path).dropped == {}

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from tyro.conf import arg
 
 from optimus.cli.options import (
     Backend,
@@ -22,6 +24,9 @@ from optimus.cli.output import bar, say
 
 if TYPE_CHECKING:
     from optimus.collect import Tally
+
+
+Corner = Annotated[tuple[float, float, float] | None, arg(metavar="X Y Z")]
 
 
 def collect(
@@ -108,18 +113,54 @@ def _show(bar: Any, tally: Tally) -> None:
     bar.refresh()
 
 
-def curate(dataset: Dataset, max_length_sd: float = 2.0, json: Json = False) -> None:
-    """Choose the demonstrations worth learning from and split them 90/10; nothing is rewritten.
+def curate(
+    dataset: Dataset,
+    max_length_sd: float = 2.0,
+    length_over: Literal["skeleton", "all"] = "skeleton",
+    workspace_min: Corner = None,
+    workspace_max: Corner = None,
+    in_view: tuple[str, ...] = (),
+    max_tracking_error: float | None = None,
+    keep_retried: bool = False,
+    validation_share: float = 0.1,
+    seed: int = 0,
+    json: Json = False,
+) -> None:
+    """Choose the demonstrations worth learning from and split them; nothing is rewritten. Only successes by the strict rule pass.
 
-    Try: optimus curate data/stack
+    Try:
+        optimus curate data/stack
+        optimus curate data/stack --length-over all --workspace-min 0.2 -0.4 -0.1 --workspace-max 0.8 0.4 0.6  (the paper's)
+        optimus curate data/stack --in-view agentview --max-tracking-error 0.01
 
     Args:
-        max_length_sd: leave out episodes longer than the mean of their plan skeleton by this many standard deviations
+        max_length_sd: leave out episodes longer than the mean by this many standard deviations
+        length_over: ... of the episodes with the same plan skeleton, or of all
+        workspace_min: lower corner of the box that the hand has to stay in [m]
+        workspace_max: upper corner of that box [m]
+        in_view: fixed cameras that have to see the hand and every object at every step
+        max_tracking_error: largest median distance of the hand from the planned path [m]
+        keep_retried: keep episodes in which the expert had to plan again
+        validation_share: of the episodes kept, held out with their initial states for validation
+        seed: decides which ones
     """
     from optimus.data.curate import CurationConfig
     from optimus.data.curate import curate as run_curate
 
-    result = run_curate(dataset, CurationConfig(max_length_sd=max_length_sd))
+    config = CurationConfig(
+        max_length_sd=max_length_sd,
+        length_over=length_over,
+        workspace_min=workspace_min,
+        workspace_max=workspace_max,
+        in_view=in_view,
+        max_tracking_error=max_tracking_error,
+        keep_retried=keep_retried,
+        validation_share=validation_share,
+        seed=seed,
+    )
+    result = run_curate(dataset, config)
     counts = {"train": len(result.train), "validation": len(result.validation), "dropped": len(result.dropped)}
-    text = ", ".join(f"{n} {k}" for k, n in counts.items())
-    say({**counts, "reasons": {str(k): v for k, v in result.dropped.items()}}, json, text)
+    lines = [f"{'rule':<20}{'removed':>9}{'alone':>9}"]
+    lines += [f"{rule:<20}{n['removed']:>9}{n['alone']:>9}" for rule, n in result.rules.items()]
+    lines += [", ".join(f"{n} {k}" for k, n in counts.items())]
+    say({**counts, "rules": result.rules, "reasons": {str(k): v for k, v in result.dropped.items()}}, json, "\n".join(lines))
