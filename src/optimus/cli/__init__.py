@@ -7,7 +7,7 @@ import sys
 
 import tyro
 
-from optimus.cli.demonstrations import collect, curate
+from optimus.cli.demonstrations import collect, curate, imitability
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
@@ -16,7 +16,7 @@ from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, render, curate, train, evaluate, run, bench)}
+VERBS = {f.__name__: f for f in (tasks, objects, show, collect, render, curate, imitability, train, evaluate, run, bench)}
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""`collect` and `curate`: from a task to demonstrations worth learning from."""
+"""`collect`, `curate`, `imitability`: from a task to demonstrations worth learning from."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from tyro.conf import arg
+from tyro.conf import Positional, arg
 
 from optimus.cli.options import (
     Backend,
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 
 Corner = Annotated[tuple[float, float, float] | None, arg(metavar="X Y Z")]
+Datasets = Annotated[tuple[Path, ...], Positional, arg(metavar="DATASET...", help="folders, from `optimus collect`")]
 
 
 def collect(
@@ -164,3 +165,20 @@ def curate(
     lines += [f"{rule:<20}{n['removed']:>9}{n['alone']:>9}" for rule, n in result.rules.items()]
     lines += [", ".join(f"{n} {k}" for k, n in counts.items())]
     say({**counts, "rules": result.rules, "reasons": {str(k): v for k, v in result.dropped.items()}}, json, "\n".join(lines))
+
+
+def imitability(datasets: Datasets, json: Json = False) -> None:
+    """How far apart the actions are that were taken in alike situations: what is left to chance is what no policy can imitate.
+    Smaller is easier. Compares ways of collecting one task, over equally many episodes (docs/imitability.md).
+
+    Try: optimus imitability data/stack data/stack-sampled
+    """
+    from optimus.data.imitability import imitability as score
+
+    results = {str(path): score(path) for path in datasets}
+    rows = [f"{'':<26}{'episodes':>9}{'steps':>7}{'drift mm':>10}{'doubt':>7}{'alike mm':>10}"]
+    for name, r in results.items():
+        rows.append(f"{name:<26}{r.episodes:>9}{r.steps:>7.0f}{1e3 * r.drift:>10.1f}{r.doubt:>7.2f}{1e3 * r.alike:>10.1f}")
+        for phase, p in r.phases.items():
+            rows.append(f"  {phase:<24}{'':>9}{p['steps']:>7.0f}{1e3 * p['drift']:>10.1f}{p['doubt']:>7.2f}")
+    say({name: asdict(r) for name, r in results.items()}, json, "\n".join(rows))

@@ -12,7 +12,7 @@ from optimus.errors import OptimusError
 
 
 def bench(
-    what: Annotated[Literal["expert", "collect", "step", "action", "render"], Positional, arg(help="what to measure")],
+    what: Annotated[Literal["expert", "collect", "read", "step", "action", "render"], Positional, arg(help="what to measure")],
     task: TaskName,
     episodes: int = 20,
     seed: FirstSeed = 0,
@@ -24,15 +24,16 @@ def bench(
     objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
-    """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
+    """Measure: the expert's success and planning time, collection, reading for training, one step, one action, one frame.
 
     Try:
         optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench expert microwave-adapt --episodes 10 --workers 2 --where
         optimus bench collect stack --episodes 40 --workers 2 --json
+        optimus bench read stack --episodes 500
 
     Args:
-        episodes: how many to run (frames or actions, for render and action)
+        episodes: how many to run (for render, action and read: frames, actions, batches)
         check: with expert: validate every plan independently, and count the invalid ones as failures
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """

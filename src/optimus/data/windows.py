@@ -1,8 +1,7 @@
 """Windows of consecutive frames for training, cut from the episode files themselves.
 
-Images stay on disk as uint8 and are mapped into memory: a crop is copied out of the map, nothing is decoded,
-and the operating system's page cache is the only cache. Low-dimensional arrays are small and are held in
-memory.
+Images stay on disk as uint8, and only what is asked for is read (`frames.py`). Low-dimensional arrays are small and are held
+in memory.
 
 The unit of sampling is a *run*: `windows` consecutive windows of `context` frames each, which share their
 frames, so that `windows + context - 1` frames are encoded once and not `windows * context`.
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 
 from optimus.data.episode import GRIPPER, IMAGE_SUFFIX
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
@@ -64,9 +64,9 @@ class Batch:
 
 @dataclass(frozen=True, eq=False)
 class _Track:
-    """One episode: image maps and arrays."""
+    """One episode: where its images are, and arrays."""
 
-    images: dict[str, NDArray[np.uint8]]
+    images: dict[str, Frames]
     proprioception: dict[str, NDArray[np.float32]]
     actions: NDArray[np.float32]
     weight: NDArray[np.float32]
@@ -129,8 +129,8 @@ class Windows:
             room = np.asarray(self._tracks[0].images[camera].shape[1:3]) - side
             offsets = np.tile(room // 2, (len(places), 1)) if rng is None else rng.integers(room + 1, size=(len(places), 2))
             out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
-            for run, (track, frames), (top, left) in zip(out, places, offsets, strict=True):
-                _copy(run, track.images[camera][:, top : top + side, left : left + side], frames)
+            for run, (track, frames), corner in zip(out, places, offsets, strict=True):
+                _copy(run, track.images[camera], corner, frames)
             images[camera] = out
             shifts[camera] = ((offsets - room // 2)[:, ::-1] / (side / 2)).astype(np.float32)
         weight = np.stack([np.where(frames < 0, 0, track.weight[frames.clip(0)]) for track, frames in places])
@@ -153,13 +153,12 @@ class Windows:
         return track, np.arange(end - self.config.frames + 1, end + 1)
 
 
-def _copy(out: NDArray[np.uint8], source: NDArray[np.uint8], frames: NDArray[np.int64]) -> None:
-    """`out[i] = source[max(frames[i], 0)]` for consecutive frames, in one copy where they are inside."""
+def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any]], frames: NDArray[np.int64]) -> None:
+    """`out[i]` becomes the crop at `corner` of frame `max(frames[i], 0)`, for consecutive frames."""
     before = min(max(-int(frames[0]), 0), len(frames) - 1)
-    first = int(frames[0]) + before
-    out[before:] = source[first : first + len(frames) - before]
+    source.crop(out[before:], int(frames[0]) + before, corner)
     if before:
-        out[:before] = source[0]
+        out[:before] = out[before]
 
 
 def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) -> _Track:
@@ -168,7 +167,7 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) 
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}")
-        images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
+        images[camera] = Frames(header.path, slot)
     names = [n for n in header.observation_names if len(header.arrays[OBSERVATION_PREFIX + n].shape) == 2]
     low = {name: header.read(OBSERVATION_PREFIX + name) for name in names}
     actions, objects = header.read("actions"), header.read("objects")
