@@ -16,7 +16,7 @@ OSC = "osc"
 
 BINARY, CONTINUOUS = "binary", "continuous"
 """What an action tells the gripper: to open or to shut, by its sign, which is meant where nothing is recorded; or where to be, from
--1 open to 1 shut."""
+-1 open to 1 shut and pressing (the gripper aims beyond where its fingers meet)."""
 
 TASKS_OWN = "the task's own"
 """The robot where none is recorded; others are recorded by name."""

@@ -45,6 +45,16 @@ class Frames:
     def shape(self) -> tuple[int, ...]:
         return self.slot.shape
 
+    @property
+    def nbytes(self) -> int:
+        return int(np.prod(self.shape))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """All frames, as numpy takes them."""
+        out = np.empty(self.shape, np.uint8)
+        self.crop(out, 0, np.zeros(2, np.int64))
+        return out if dtype is None else out.astype(dtype, copy=False)
+
     def crop(self, out: NDArray[np.uint8], first: int, corner: NDArray[np.integer[Any]]) -> None:
         """Fill `out` `(n, a, b, 3)` with frames from `first` on, cut out at `corner` `(2,)`: the first row and column."""
         count, height, width = out.shape[:3]
