@@ -171,7 +171,7 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
     wanted = CollectConfig(
         config.task, data, config.wanted, config.seed, config.workers, control=config.control, robot=config.robot
     )
-    return collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
+    return collect(wanted, lambda tally: progress("collect", tally.successes, config.wanted, {}))
 
 
 def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
@@ -189,7 +189,7 @@ def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageP
         control=config.control,
         robot=config.robot,
     )
-    collect(asked, lambda done: progress("correct", done, wanted, {}))
+    collect(asked, lambda tally: progress("correct", tally.successes, wanted, {}))
 
 
 @dataclass(frozen=True)

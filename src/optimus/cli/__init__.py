@@ -7,17 +7,17 @@ import sys
 
 import tyro
 
-from optimus.cli.demonstrations import collect, curate
+from optimus.cli.demonstrations import collect, curate, imitability
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
 from optimus.cli.policies import evaluate, export_policy, train
+from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {
-    f.__name__.replace("_", "-"): f for f in (tasks, objects, show, collect, curate, train, evaluate, export_policy, run, bench)
-}
+_VERBS = (tasks, objects, show, collect, render, curate, imitability, train, evaluate, export_policy, run, bench)
+VERBS = {f.__name__.replace("_", "-"): f for f in _VERBS}
 
 
 def main() -> None:

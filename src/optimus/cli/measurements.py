@@ -14,7 +14,9 @@ TaskOrNone = Annotated[str | None, Positional, arg(metavar="TASK", help="a task'
 
 
 def bench(
-    what: Annotated[Literal["expert", "collect", "step", "action", "render"], Positional, arg(help="what to measure")],
+    what: Annotated[
+        Literal["expert", "collect", "read", "step", "action", "render"], Positional, arg(help="what to measure")
+    ],
     task: TaskOrNone = None,
     preset: PresetName | None = None,
     rounds: int = 5,
@@ -28,20 +30,21 @@ def bench(
     objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
-    """Measure: the expert's success and planning time, collection, one environment step, one action, one frame; and with --preset
-    a step of training (`step`) or an action (`action`) of that network, beside the same network computed plainly.
+    """Measure: the expert's success and planning time, collection, reading for training, one environment step, one action, one
+    frame; and with --preset a step of training (`step`) or an action (`action`) of that network, beside the same computed plainly.
 
     Try:
         optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench expert microwave-adapt --episodes 10 --workers 2 --where
         optimus bench collect stack --episodes 40 --workers 2 --json
+        optimus bench read stack --episodes 500
         optimus bench step --preset optimus-30m --json
         optimus bench action --preset optimus-30m
 
     Args:
         preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
         rounds: with --preset: how often a step is timed (an action: ten times as often)
-        episodes: how many to run (frames or actions, for render and action)
+        episodes: how many to run (for render, action and read: frames, actions, batches)
         check: with expert: validate every plan independently, and count the invalid ones as failures
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """

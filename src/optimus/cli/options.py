@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tyro.conf import Positional, arg
 
@@ -33,6 +33,10 @@ ControlName = Annotated[
 ]
 FirstSeed = Annotated[int, arg(help="of the first attempt; the next ones follow")]
 Workers = Annotated[int, arg(help="processes; 0 takes every core (no episode depends on it)")]
+Backend = Annotated[
+    Literal["local", "ray"],
+    arg(help="where the workers are: here, or in Ray: the cluster that RAY_ADDRESS names, else one of its own"),
+]
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 

@@ -1,7 +1,8 @@
 """Files that are there whole or not at all: written aside in the same folder, then renamed over the target.
 
-A killed process leaves at most a `<name>.tmp-<pid>` behind, which `remove_leftovers` clears once that process
-is gone. Nothing is flushed to the platter (`fsync` would cost more than the simulation of an episode): after
+A killed process leaves at most a `<name>.tmp-<host>-<pid>` behind, which `remove_leftovers` clears once that process
+is gone (of another machine, which may share the folder, once it is an hour old). Nothing is flushed to the platter
+(`fsync` would cost more than the simulation of an episode): after
 a power cut a file may be short, which readers find by its size.
 """
 
@@ -9,13 +10,18 @@ from __future__ import annotations
 
 import json
 import os
+import platform
 import re
+import time
 from pathlib import Path
 from typing import Any
 
 from optimus.errors import StorageError
 
-_LEFTOVER = re.compile(r"\.tmp-(\d+)$")
+_LEFTOVER = re.compile(r"\.tmp-(.*)-(\d+)$")
+_HOST = re.sub(r"[^\w.]", "_", platform.node())
+_LONG_AGO = 3600.0
+"""[s]; no file takes so long to write."""
 
 
 def is_leftover(path: Path) -> bool:
@@ -33,7 +39,7 @@ def make_folder(path: Path) -> None:
 
 def write_whole(path: Path, payload: bytes | memoryview) -> None:
     """Write `payload` to `path`, whole or not at all; what stood there before is replaced in one step."""
-    aside = path.with_name(f"{path.name}.tmp-{os.getpid()}")
+    aside = path.with_name(f"{path.name}.tmp-{_HOST}-{os.getpid()}")
     try:
         with aside.open("wb") as file:
             file.write(payload)
@@ -56,10 +62,19 @@ def remove_leftovers(folder: Path) -> list[str]:
     removed = []
     for path in sorted(folder.glob("*.tmp-*")):
         match = _LEFTOVER.search(path.name)
-        if match and not _is_alive(int(match.group(1))):
+        if match and _is_abandoned(path, *match.groups()):
             _discard(path)
             removed.append(path.name)
     return removed
+
+
+def _is_abandoned(path: Path, host: str, pid: str) -> bool:
+    if host == _HOST:
+        return not _is_alive(int(pid))
+    try:
+        return time.time() - path.stat().st_mtime > _LONG_AGO
+    except FileNotFoundError:  # renamed meanwhile
+        return False
 
 
 def _discard(path: Path) -> None:
