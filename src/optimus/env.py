@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, controller, require_control
-from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
+from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, INSTRUCTION, OSC, Observation
 from optimus.errors import ModelError
 from optimus.render import Rig
 from optimus.robots import Robot
@@ -126,7 +126,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.cpu["physics"] += time.process_time() - began
 
     def _info(self) -> dict[str, Any]:
-        return {"seed": self.episode_seed, "variant": self.problem.variant}
+        return {"seed": self.episode_seed, "variant": self.problem.variant, INSTRUCTION: self.problem.instruction}
 
     def state(self) -> State:
         """The kinematic snapshot, with what is held."""

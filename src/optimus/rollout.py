@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import JOINT_SCALE
-from optimus.data.episode import GRIPPER, Episode, Observation
+from optimus.data.episode import GRIPPER, INSTRUCTION, Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.predicates import holds
 
@@ -166,5 +166,7 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
             "paper_success": env.problem.paper_success(env.state()),
             "control": env.control,
             "goal": sorted(str(a) for a in env.problem.goal),
+            INSTRUCTION: env.problem.instruction,
+            "words": env.problem.words,
         },
     )

@@ -7,9 +7,13 @@ a power cut a file may be short, which readers find by its size.
 
 from __future__ import annotations
 
+import glob
 import json
 import os
 import re
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -51,10 +55,41 @@ def write_json(path: Path, value: Any) -> None:
     write_whole(path, (json.dumps(value, indent=2) + "\n").encode())
 
 
-def remove_leftovers(folder: Path) -> list[str]:
-    """Delete the temporary files in `folder` whose process is gone; their names are returned."""
+def require_free(path: Path, overwrite: bool) -> None:
+    """`StorageError` if something is at `path` that must not be replaced."""
+    if path.exists() and not overwrite:
+        raise StorageError(f"{path} exists; name another, or allow it to be replaced with --overwrite")
+
+
+@contextmanager
+def written_aside(path: Path, overwrite: bool = False) -> Iterator[Path]:
+    """Where to write a file or folder that becomes `path` when the block ends well, and vanishes when it does not.
+
+    For writers that need a path of their own. One folder cannot take another's place in one step: the old one is renamed to
+    `<name>.replaced-<pid>` first, and stays there should the process be killed at that moment.
+    """
+    require_free(path, overwrite)
+    make_folder(path.parent)
+    remove_leftovers(path.parent, path.name)
+    made, old = (path.with_name(f"{path.name}.{end}-{os.getpid()}") for end in ("tmp", "replaced"))
+    try:
+        yield made
+        if path.is_dir():
+            path.rename(old)
+        made.replace(path)
+        _discard(old)
+    except OSError as error:
+        if old.exists() and not path.exists():
+            old.rename(path)
+        raise StorageError(f"cannot write {path}: {error.strerror or error}; nothing was changed") from error
+    finally:
+        _discard(made)
+
+
+def remove_leftovers(folder: Path, name: str = "*") -> list[str]:
+    """Delete the temporary files in `folder` (of that name) whose process is gone; their names are returned."""
     removed = []
-    for path in sorted(folder.glob("*.tmp-*")):
+    for path in sorted(folder.glob(f"{name if name == '*' else glob.escape(name)}.tmp-*")):
         match = _LEFTOVER.search(path.name)
         if match and not _is_alive(int(match.group(1))):
             _discard(path)
@@ -64,7 +99,10 @@ def remove_leftovers(folder: Path) -> list[str]:
 
 def _discard(path: Path) -> None:
     try:
-        path.unlink(missing_ok=True)
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
     except OSError as error:
         raise StorageError(f"cannot remove {path}: {error.strerror or error}") from error
 
