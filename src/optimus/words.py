@@ -68,7 +68,7 @@ def _lab(rgb: np.ndarray) -> np.ndarray:
 
 
 def words_of(shape: Shape) -> str:
-    """A noun phrase for a shape, without its article: what the library or the user's own objects say of it, else colour and kind."""
+    """A noun phrase for a shape, without article: what the library or the user's own objects say of it, else colour and kind."""
     return _known(shape.kind) or f"{colour_name(shape.rgba)} {shape.kind.replace('-', ' ').replace('_', ' ')}"
 
 

@@ -8,6 +8,7 @@ import sys
 import tyro
 
 from optimus.cli.demonstrations import collect, curate
+from optimus.cli.exchange import export, import_
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
@@ -15,7 +16,7 @@ from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+VERBS = {f.__name__.rstrip("_"): f for f in (tasks, objects, show, collect, curate, export, import_, train, evaluate, run, bench)}
 
 
 def main() -> None:

@@ -55,20 +55,25 @@ def write_json(path: Path, value: Any) -> None:
     write_whole(path, (json.dumps(value, indent=2) + "\n").encode())
 
 
-def require_free(path: Path, overwrite: bool) -> None:
-    """`StorageError` if something is at `path` that must not be replaced."""
-    if path.exists() and not overwrite:
+def require_free(path: Path, overwrite: bool, marker: str = "") -> None:
+    """`StorageError` if something is at `path` that must not be replaced: anything unless `overwrite`, and then still what is not
+    of the same sort, a file or, with a `marker`, a folder that holds a file of that name."""
+    if not path.exists():
+        return
+    if not overwrite:
         raise StorageError(f"{path} exists; name another, or allow it to be replaced with --overwrite")
+    if not (path / marker).is_file():
+        raise StorageError(f"{path} is not {f'a folder with {marker}' if marker else 'a file'} and is not replaced; name another")
 
 
 @contextmanager
-def written_aside(path: Path, overwrite: bool = False) -> Iterator[Path]:
-    """Where to write a file or folder that becomes `path` when the block ends well, and vanishes when it does not.
+def written_aside(path: Path, overwrite: bool = False, marker: str = "") -> Iterator[Path]:
+    """Where to write a file (with a `marker` a folder) that becomes `path` when the block ends well, and vanishes when it does not.
 
     For writers that need a path of their own. One folder cannot take another's place in one step: the old one is renamed to
     `<name>.replaced-<pid>` first, and stays there should the process be killed at that moment.
     """
-    require_free(path, overwrite)
+    require_free(path, overwrite, marker)
     make_folder(path.parent)
     remove_leftovers(path.parent, path.name)
     made, old = (path.with_name(f"{path.name}.{end}-{os.getpid()}") for end in ("tmp", "replaced"))

@@ -38,7 +38,7 @@ def opened(path: Path) -> Iterator[h5py.File]:
 
 def names_in(group: h5py.Group) -> list[str]:
     """The names of what is in a group, links to elsewhere not among them."""
-    return [name for name in group if isinstance(group.get(name, getlink=True), h5py.HardLink)]
+    return [str(name) for name in group if isinstance(group.get(name, getlink=True), h5py.HardLink)]
 
 
 def group_in(group: h5py.Group, name: str) -> h5py.Group:
@@ -50,12 +50,17 @@ def group_in(group: h5py.Group, name: str) -> h5py.Group:
 
 
 def plain_dataset(group: h5py.Group, name: str) -> h5py.Dataset:
-    """A dataset of numbers or fixed-length text that lies in the file itself; its values are not read yet."""
+    """A dataset of numbers that lies in the file itself; its values are not read yet."""
+    found = _dataset(group, name)
+    if found.dtype.kind not in PLAIN_KINDS or found.ndim == 0:
+        raise DatasetError(f"{_place(found)} holds {found.dtype} values of shape {found.shape}; only arrays of plain numbers are read")
+    return found
+
+
+def _dataset(group: h5py.Group, name: str) -> h5py.Dataset:
     found = group[name] if name in names_in(group) else None
     if not isinstance(found, h5py.Dataset):
         raise DatasetError(f"{_place(group)} has no array {name!r}; it has {', '.join(names_in(group)) or 'nothing'}")
-    if found.dtype.kind not in PLAIN_KINDS + "S":
-        raise DatasetError(f"{_place(found)} holds {found.dtype} values; only plain numbers are read")
     if found.external or found.is_virtual:
         raise DatasetError(f"{_place(found)} lies in another file; only what is in the file itself is read")
     pipeline = found.id.get_create_plist()
@@ -68,8 +73,6 @@ def plain_dataset(group: h5py.Group, name: str) -> h5py.Dataset:
 def numbers(group: h5py.Group, name: str, steps: int | None = None) -> NDArray[Any]:
     """An array of finite numbers, with `steps` rows if that is given."""
     found = plain_dataset(group, name)
-    if found.dtype.kind == "S" or found.ndim == 0:
-        raise DatasetError(f"{_place(found)} is not an array of numbers")
     if steps is not None and found.shape[0] != steps:
         raise DatasetError(f"{_place(found)} has {found.shape[0]} rows, the actions have {steps}")
     array = np.asarray(found[()])
@@ -80,10 +83,10 @@ def numbers(group: h5py.Group, name: str, steps: int | None = None) -> NDArray[A
 
 def names(group: h5py.Group, name: str) -> list[str]:
     """An array of names, as fixed-length bytes or as text of any length."""
-    found = group[name] if name in names_in(group) else None
-    if isinstance(found, h5py.Dataset) and h5py.check_string_dtype(found.dtype) is not None and not (found.external or found.is_virtual):
-        return [v.decode() if isinstance(v, bytes) else str(v) for v in np.atleast_1d(found[()])]
-    raise DatasetError(f"{_place(group)} has no list of names {name!r}")
+    found = _dataset(group, name)
+    if h5py.check_string_dtype(found.dtype) is None:
+        raise DatasetError(f"{_place(found)} holds {found.dtype} values, not names")
+    return [v.decode() if isinstance(v, bytes) else str(v) for v in np.atleast_1d(found[()])]
 
 
 def facts(thing: h5py.Group, name: str) -> dict[str, Any]:

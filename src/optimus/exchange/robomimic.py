@@ -1,4 +1,4 @@
-"""A data set as one HDF5 file in robomimic's layout (robomimic.github.io/docs/datasets/overview.html), which the paper's code reads too.
+"""A data set as one HDF5 file in robomimic's layout (robomimic.github.io/docs/datasets/overview.html); the paper's code reads it.
 
     data                            attributes total, env_args (JSON: env_name, type, env_kwargs)
     data/demo_0                     attributes num_samples, model_file (MJCF), ep_meta (JSON: lang, seed, skeleton ...)
@@ -8,7 +8,8 @@
 
 `actions` are the labels; what was executed, which differs where the arm was pushed on purpose, is in `executed` besides. A row of
 `states` begins with time, qpos and qvel, as robosuite flattens a state; what MuJoCo needs besides to go on exactly follows.
-`obs/object` holds the positions of the movable things one after another. The last step has no next observation: its own is repeated.
+`obs/object` holds the positions of the movable things one after another. After the last step nothing was seen: it is its own
+`next_obs`.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ class RobomimicConfig:
 def export_robomimic(
     dataset: Path, out: Path, config: RobomimicConfig | None = None, progress: Callable[[int, int], None] = lambda done, of: None
 ) -> dict[str, Any]:
-    """Write the data set's episodes, whole or not at all; `progress(done, all)` counts episodes. The answer says what was written."""
+    """Write the episodes, whole or not at all; `progress(done, all)` counts them. The answer says what was written."""
     config = config or RobomimicConfig()
     require_free(out, config.overwrite)
     selection = select(dataset, config.everything)
@@ -123,7 +124,8 @@ def _env_args(selection: Selection, env: ManipulationEnv | None) -> dict[str, An
     foreign = store.config.get("env_args")
     if isinstance(foreign, dict):
         return foreign
-    return {"env_name": name, "type": GYM_TYPE, "env_kwargs": {"control": store.control}, "env_version": installed_versions()["optimus-tamp"]}
+    version = installed_versions()["optimus-tamp"]
+    return {"env_name": name, "type": GYM_TYPE, "env_kwargs": {"control": store.control}, "env_version": version}
 
 
 def _about(selection: Selection) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from optimus.data.atomic import require_free, write_json, written_aside
 from optimus.data.curate import CURATION_FILE
 from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION, PROPRIOCEPTION, Episode
-from optimus.data.store import EpisodeStore
+from optimus.data.store import DESCRIPTION, EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange.hdf5 import facts, group_in, names, names_in, numbers, opened, plain_dataset
 from optimus.exchange.robomimic import OBJECT, OWN
@@ -46,12 +46,12 @@ def import_robomimic(
     another shape, not finite or not plain numbers.
     """
     source = source or RobomimicSource()
-    require_free(out, source.overwrite)
+    require_free(out, source.overwrite, DESCRIPTION)
     with opened(file) as opened_file:
         data = group_in(opened_file, "data")
         demos = _demos(data)
         low, images = _observations(data, demos, source)
-        with written_aside(out, source.overwrite) as folder:
+        with written_aside(out, source.overwrite, DESCRIPTION) as folder:
             store = EpisodeStore.create(folder, *_description(data, images))
             seeds: dict[str, int] = {}
             for number, name in enumerate(demos):
@@ -87,7 +87,8 @@ def _observations(data: h5py.Group, demos: list[str], source: RobomimicSource) -
     if unknown := [name for name in low if name not in numeric]:
         raise DatasetError(f"{data.file.filename} has no observation {', '.join(unknown)}; it has {', '.join(numeric) or 'none'}")
     if not low:
-        raise DatasetError(f"{data.file.filename} has none of {', '.join(USUAL)}; name some with --observations: {', '.join(numeric)}")
+        others = ", ".join(numeric) or "none"
+        raise DatasetError(f"{data.file.filename} has none of {', '.join(USUAL)}; name some with --observations: {others}")
     return low, images
 
 
@@ -133,7 +134,7 @@ def _episode(
         success=success,
         failure="" if success else str(about.get("failure") or "no reward"),
         skeleton=tuple(about.get("skeleton", ())),
-        info={**own, **({INSTRUCTION: told} if told else {}), "demo": demo.name.rsplit("/", 1)[-1]},
+        info={**own, **({INSTRUCTION: told} if told else {}), "demo": str(demo.name).rsplit("/", 1)[-1]},
     )
 
 
