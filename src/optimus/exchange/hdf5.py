@@ -53,7 +53,7 @@ def plain_dataset(group: h5py.Group, name: str) -> h5py.Dataset:
     """A dataset of numbers that lies in the file itself; its values are not read yet."""
     found = _dataset(group, name)
     if found.dtype.kind not in PLAIN_KINDS or found.ndim == 0:
-        raise DatasetError(f"{_place(found)} holds {found.dtype} values of shape {found.shape}; only arrays of plain numbers are read")
+        raise DatasetError(f"{_place(found)} holds {found.dtype} values of shape {found.shape}; only plain numbers are read")
     return found
 
 
