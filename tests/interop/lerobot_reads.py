@@ -54,10 +54,10 @@ def check_statistics(dataset: LeRobotDataset, root: Path, expected: dict[str, np
     theirs = []
     for row, end, length in zip(rows, ends, expected["lengths"], strict=True):
         part = slice(end - length, end)
-        values = {key: expected[name][part] for name, key in KEYS.items()}
+        # of float64: LeRobot subtracts squares in what it is given, and squares uint8 within uint8
+        values = {key: expected[name][part].astype(np.float64) for name, key in KEYS.items()}
         found = {key: get_feature_stats(array, axis=0, keepdims=False) for key, array in values.items()}
         for camera in cameras:
-            # of floats: LeRobot squares what it is given, and squares of uint8 overflow
             array, key = expected[camera][part].transpose(0, 3, 1, 2).astype(np.float64), f"observation.{camera}"
             stats = get_feature_stats(array, axis=(0, 2, 3), keepdims=True)
             found[key] = {k: v if k == "count" else np.squeeze(v / 255.0, axis=0) for k, v in stats.items()}

@@ -20,8 +20,8 @@ from optimus.errors import DatasetError
 from optimus.exchange.hdf5 import facts, group_in, names, names_in, numbers, opened, plain_dataset
 from optimus.exchange.robomimic import OBJECT, OWN
 
-USUAL = (*PROPRIOCEPTION, "robot0_joint_pos", "robot0_joint_target_error")
-"""Low-dimensional observations that are taken where there are any of them: what the arm knows of itself."""
+JOINTS = ("robot0_joint_pos", "robot0_joint_target_error")
+"""Low-dimensional observations of this program's own files under joint control, besides `PROPRIOCEPTION`."""
 IMPORTED = "imported"
 """The setting of a data set that says of which format it came."""
 
@@ -31,7 +31,7 @@ class RobomimicSource:
     """What to take from the file."""
 
     observations: tuple[str, ...] = ()
-    """Names of low-dimensional observations; empty: those of `USUAL` that all demonstrations have."""
+    """Names of low-dimensional observations; empty: those of `PROPRIOCEPTION` that all demonstrations have."""
     instruction: str = ""
     """What was wanted, in plain English, for demonstrations that do not say it."""
     overwrite: bool = False
@@ -54,41 +54,45 @@ def import_robomimic(
         with written_aside(out, source.overwrite, DESCRIPTION) as folder:
             store = EpisodeStore.create(folder, *_description(data, images))
             seeds: dict[str, int] = {}
-            for number, name in enumerate(demos):
+            for name, number in demos.items():
                 episode = _episode(group_in(data, name), store.task, number, low, images, source)
                 if episode.seed in seeds.values():
                     raise DatasetError(f"{file}: two demonstrations were made from seed {episode.seed}")
                 store.write(episode)
                 seeds[name] = episode.seed
-                progress(number + 1, len(demos))
+                progress(len(seeds), len(demos))
             split = _write_curation(opened_file, folder, store.task, seeds)
     return {"dataset": str(out), "task": store.task, "demonstrations": len(demos), **split, "observations": [*low, *images]}
 
 
-def _demos(data: h5py.Group) -> list[str]:
-    """Names of the demonstrations in the order of their numbers."""
+def _demos(data: h5py.Group) -> dict[str, int]:
+    """Names of the demonstrations and their numbers, ascending; counted from 0 where names do not number them."""
     found = [name for name in names_in(data) if isinstance(data[name], h5py.Group)]
     if not found:
         raise DatasetError(f"{data.file.filename}: its group data holds no demonstrations; it is not a robomimic data set")
-    return sorted(found, key=lambda name: (int(m.group()) if (m := re.search(r"\d+$", name)) else -1, name))
+    ends = {name: int(m.group()) for name in found if (m := re.search(r"\d+$", name))}
+    if len(set(ends.values())) < len(found):
+        return {name: number for number, name in enumerate(sorted(found))}
+    return dict(sorted(ends.items(), key=lambda item: item[1]))
 
 
-def _observations(data: h5py.Group, demos: list[str], source: RobomimicSource) -> tuple[list[str], list[str]]:
+def _observations(data: h5py.Group, demos: Iterable[str], source: RobomimicSource) -> tuple[list[str], list[str]]:
     """Names of the low-dimensional observations and of the images to take: what every demonstration has."""
     common: set[str] | None = None
     for demo in demos:
         here = set(names_in(group_in(group_in(data, demo), "obs")))
         common = here if common is None else common & here
-    first = group_in(group_in(data, demos[0]), "obs")
+    first = group_in(group_in(data, next(iter(demos))), "obs")
     shapes = {name: plain_dataset(first, name) for name in sorted(common or ())}
     images = [name for name, a in shapes.items() if a.dtype == np.uint8 and a.ndim == 4 and a.shape[-1] == 3]
     numeric = [name for name, a in shapes.items() if a.ndim == 2 and a.dtype.kind == "f"]
-    low = list(source.observations) or [name for name in USUAL if name in numeric]
+    usual = (*PROPRIOCEPTION, *JOINTS) if facts(data, OWN) else tuple(PROPRIOCEPTION)
+    low = list(source.observations) or [name for name in usual if name in numeric]
     if unknown := [name for name in low if name not in numeric]:
         raise DatasetError(f"{data.file.filename} has no observation {', '.join(unknown)}; it has {', '.join(numeric) or 'none'}")
     if not low:
         others = ", ".join(numeric) or "none"
-        raise DatasetError(f"{data.file.filename} has none of {', '.join(USUAL)}; name some with --observations: {others}")
+        raise DatasetError(f"{data.file.filename} has none of {', '.join(usual)}; name some with --observations: {others}")
     return low, images
 
 

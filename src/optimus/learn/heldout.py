@@ -45,10 +45,13 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
     seen = frames[:, -1]
     place = policy.located(seen) * policy.objects_deviation + policy.objects_mean
     objects = torch.from_numpy(batch.objects[:, -1])
+    located = {}
+    if objects.shape[1]:
+        located["location_error_mm"] = 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).mean(-1)
     arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
     return {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
         "likelihood": -mixture.log_density(policy.normalise(label)),
-        "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).mean(-1),
+        **located,
     }

@@ -166,7 +166,8 @@ class Policy(nn.Module):
     def location_error(self, frames: Tensor, objects: Tensor) -> Tensor:
         """Smooth absolute error `(...)` of positions, from frame features and `(..., k, 3)` [m]."""
         target = (objects.flatten(-2) - self.objects_mean) / self.objects_deviation
-        return F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1).mean(-1)
+        errors = F.smooth_l1_loss(self.located(frames), target, reduction="none", beta=0.1)
+        return errors.mean(-1) if errors.shape[-1] else errors.sum(-1)  # imported data sets may know of no objects
 
     def description(self) -> dict[str, Any]:
         """What `Policy.from_description` needs, JSON-able."""
