@@ -131,7 +131,7 @@ def test_instructions_become_tasks(tmp_path: Path) -> None:
     assert [row["tasks"] for row in rows] == [["put it there"], ["put it here"], ["put it there"], ["square"]]
     with pytest.raises(StorageError, match="--overwrite"):
         export_lerobot(store.path, tmp_path / "out")
-    with pytest.raises(StorageError, match="meta/info.json"):
+    with pytest.raises(StorageError, match=r"meta/info\.json"):
         export_lerobot(store.path, tmp_path, LerobotConfig(overwrite=True))
     export_lerobot(store.path, tmp_path / "out", LerobotConfig(overwrite=True, images=True))
     assert not (tmp_path / "out/videos").exists() and sorted(p.name for p in tmp_path.iterdir()) == ["data", "out"]

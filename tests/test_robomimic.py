@@ -33,7 +33,8 @@ def test_the_file_is_as_the_format_says(tmp_path: Path) -> None:
     store = make_dataset(tmp_path / "data", 10)
     curation = load_curation(store.path)
     said = export_robomimic(store.path, tmp_path / "d.hdf5")
-    with h5py.File(tmp_path / "d.hdf5", "r", swmr=True, libver="latest") as file:  # as robomimic's loader opens it
+    with h5py.File(tmp_path / "d.hdf5", "r", swmr=True, libver="latest") as opened:  # as robomimic's loader opens it
+        file: Any = opened
         data = file["data"]
         assert json.loads(data.attrs["env_args"]).keys() >= {"env_name", "type", "env_kwargs"}
         assert data.attrs["total"] == sum(demo.attrs["num_samples"] for demo in data.values()) == said["steps"]
@@ -93,7 +94,7 @@ def test_states_are_those_of_the_physics(taught: tuple[Path, Path], tmp_path: Pa
     store = EpisodeStore.open(taught[0])
     env = ManipulationEnv(task_named("stack"), images=False)
     with h5py.File(tmp_path / "d.hdf5", "r") as file:
-        demo = file["data/demo_1"]
+        demo: Any = file["data/demo_1"]
         episode = store.read(json.loads(demo.attrs["ep_meta"])["seed"])
         env.reset(seed=episode.seed)
         model, states = env.world.model, demo["states"][()]
@@ -142,7 +143,7 @@ def _robosuite_like(path: Path, count: int) -> None:
             demo["obs/agentview_image"] = rng.integers(0, 255, (steps, 84, 84, 3), dtype=np.uint8)
 
 
-def _damage(kind: str, file: h5py.File, folder: Path) -> None:
+def _damage(kind: str, file: Any, folder: Path) -> None:
     demo = file["data/demo_0"]
     pos = demo["obs/robot0_eef_pos"][()]
     if kind == "no data":
@@ -220,7 +221,7 @@ def test_what_is_there_is_not_replaced_unasked(tmp_path: Path) -> None:
         export_robomimic(store.path, target, NO_STATES)
     assert target.read_text() == "mine"
     export_robomimic(store.path, target, RobomimicConfig(states=False, overwrite=True))
-    with pytest.raises(StorageError, match="dataset.json"):  # a folder that is no data set is never replaced
+    with pytest.raises(StorageError, match=r"dataset\.json"):  # a folder that is no data set is never replaced
         import_robomimic(target, tmp_path, RobomimicSource(overwrite=True))
     import_robomimic(target, store.path, RobomimicSource(overwrite=True))
     assert len(EpisodeStore.open(store.path).seeds) == 4 and sorted(p.name for p in tmp_path.iterdir()) == ["d.hdf5", "data"]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from optimus.objects.library import LIBRARY
 from optimus.objects.shapes import block, cup, slab
-from optimus.predicates import Open, On, Released
+from optimus.predicates import On, Open, Released
 from optimus.robots import PANDA
 from optimus.scene import Camera, Fixture, Movable, Scene
 from optimus.se3 import Pose

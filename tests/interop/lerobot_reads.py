@@ -1,6 +1,6 @@
 """Run in an environment with LeRobot: its loader reads a folder, and every frame and statistic is what it should be.
 
-Arguments: the folder; a file of expected arrays (`run.write_expected`); the PSNR [dB] that no frame may fall short of, inf for exact.
+Arguments: the folder; a file of expected arrays (`run.write_expected`); the PSNR [dB] that every frame has to reach, inf for exact.
 """
 
 # pyright: reportMissingImports=false
@@ -81,7 +81,7 @@ def compare(key: str, theirs: dict[str, np.ndarray], ours: dict[str, list]) -> N
 
 
 def check_quantiles(key: str, values: np.ndarray, theirs: dict[str, np.ndarray], ours: dict[str, list]) -> None:
-    """Both lie where a quantile may: LeRobot estimates it from a histogram, and takes the value below where it falls between two."""
+    """Both lie where a quantile may: LeRobot estimates it from a histogram, or takes the value below where it is between two."""
     slack = 0.01 * np.ptp(values, axis=0) + 1e-6
     for digits, share in QUANTILES.items():
         low, high = (np.quantile(values, np.clip(share + d / len(values), 0, 1), axis=0) for d in (-1.5, 1.5))

@@ -7,6 +7,7 @@ Arguments: the HDF5 file; a folder for what training leaves behind.
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 from vision import import_torchvision
 
@@ -35,10 +36,11 @@ def main() -> None:
     sys.stdout.write(f"robomimic trained one epoch; loss in training and on the valid mask: {losses}\n")
 
 
-def config_for(file: str, out: Path):  # noqa: ANN201
+def config_for(file: str, out: Path):
     """robomimic's BC-Transformer with a mixture head, images of every camera in the file, and both masks."""
     with h5py.File(file, "r") as opened:
-        rgb = [name for name in opened["data/demo_0/obs"] if name.endswith("_image")]
+        seen: Any = opened["data/demo_0/obs"]
+        rgb = [name for name in seen if name.endswith("_image")]
     config = config_factory("bc")
     with config.unlocked():
         config.experiment.name, config.experiment.validate = "interop", True
@@ -55,7 +57,8 @@ def config_for(file: str, out: Path):  # noqa: ANN201
         config.algo.gmm.enabled = True
         config.observation.modalities.obs.low_dim, config.observation.modalities.obs.rgb = LOW, rgb
         config.observation.encoder.rgb.obs_randomizer_class = "CropRandomizer"
-        config.observation.encoder.rgb.obs_randomizer_kwargs = {"crop_height": 76, "crop_width": 76, "num_crops": 1, "pos_enc": False}
+        crop = {"crop_height": 76, "crop_width": 76, "num_crops": 1, "pos_enc": False}
+        config.observation.encoder.rgb.obs_randomizer_kwargs = crop
         config.observation.encoder.rgb.core_kwargs.backbone_class = "ResNet18Conv"
         config.observation.encoder.rgb.core_kwargs.backbone_kwargs = {"pretrained": False, "input_coord_conv": False}
         config.observation.encoder.rgb.core_kwargs.pool_class = "SpatialSoftmax"

@@ -56,8 +56,8 @@ def environment(name: str, folder: Path) -> Path:
 
 def read_by(python: Path, script: str, *args: str) -> None:
     """Run a reader's script, without a network and without GPU."""
-    quiet = {"HF_HUB_OFFLINE": "1", "HF_DATASETS_OFFLINE": "1", "CUDA_VISIBLE_DEVICES": "", "PYTHONWARNINGS": "ignore", "PYTHONPATH": ""}
-    subprocess.run([str(python), str(HERE / script), *args], check=True, env={**os.environ, **quiet})
+    quiet = {"HF_HUB_OFFLINE": "1", "HF_DATASETS_OFFLINE": "1", "CUDA_VISIBLE_DEVICES": "", "PYTHONWARNINGS": "ignore"}
+    subprocess.run([str(python), str(HERE / script), *args], check=True, env={**os.environ, **quiet, "PYTHONPATH": ""})
 
 
 def robomimic(python: Path, dataset: Path, folder: Path) -> None:
@@ -85,13 +85,12 @@ def write_expected(dataset: Path, file: Path) -> None:
     episodes = [store.read(seed) for seed in (*curation.train, *curation.validation)]
     images = {f"images.{c}": np.concatenate([e.observations[f"{c}_image"] for e in episodes]) for c in store.cameras}
     low = [[a for k, a in e.observations.items() if not k.endswith("_image")] for e in episodes]
-    np.savez(
-        file,
-        state=np.concatenate([np.concatenate(parts, axis=1) for parts in low]),
-        action=np.concatenate([e.actions for e in episodes]),
-        lengths=np.array([len(e) for e in episodes]),
-        **images,
-    )
+    arrays = {
+        "state": np.concatenate([np.concatenate(parts, axis=1) for parts in low]),
+        "action": np.concatenate([e.actions for e in episodes]),
+        "lengths": np.array([len(e) for e in episodes]),
+    }
+    np.savez(file, allow_pickle=False, **arrays, **images)
 
 
 def main() -> None:

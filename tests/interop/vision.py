@@ -10,7 +10,7 @@ def import_torchvision() -> None:
     """Import it. A build for CUDA cannot load its operators beside a torch without; its Python then wants one of their names at
     least, which nothing here calls."""
     try:
-        import torchvision  # noqa: F401
+        import torchvision
     except RuntimeError:
         for name in [n for n in sys.modules if n.partition(".")[0] == "torchvision"]:
             del sys.modules[name]

@@ -7,6 +7,7 @@ import sys
 
 import tyro
 
+from optimus.cli.datasets import dataset
 from optimus.cli.demonstrations import collect, curate
 from optimus.cli.exchange import export, import_
 from optimus.cli.main_job import run
@@ -16,7 +17,8 @@ from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__.rstrip("_"): f for f in (tasks, objects, show, collect, curate, export, import_, train, evaluate, run, bench)}
+_FUNCTIONS = (tasks, objects, show, collect, curate, dataset, export, import_, train, evaluate, run, bench)
+VERBS = {f.__name__.rstrip("_"): f for f in _FUNCTIONS}
 
 
 def main() -> None:
