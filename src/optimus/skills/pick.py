@@ -23,9 +23,11 @@ UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
-
-ALIKE = np.radians(8.0)
-"""A grasp that was tried leans as one of these, within this [rad]."""
+TURNED = tuple(np.radians((0.0, -11.0, 11.0, -22.0, 22.0)))
+"""Under a roof, where few ways in are left, a grasp that was tried is also taken turned by this about the line on which the fingers
+close [rad]: the pads touch the same places."""
+BETWEEN = np.radians(16.0)
+"""A grasp that was tried counts as the nearest of these leans, if it is this near [rad]."""
 MISS_RADIUS = 0.01
 """A grasp this near to one that came up empty is not tried again [m], turns as in `lines.distance`."""
 OFF_CENTRE = 20.0
@@ -58,9 +60,10 @@ class Pick:
             at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
-        ways = [(_tilt(pose), pose) for pose in _verified(shape, at)] if shape.verified else None
-        for tilt in LEANING if roofed else UPRIGHT:
-            poses = _leant(shape, at, tilt) if ways is None else [p for lean, p in ways if abs(lean - tilt) < ALIKE]
+        leans = LEANING if roofed else UPRIGHT
+        verified = _by_lean(_verified(shape, at), leans, TURNED if roofed else (0.0,)) if shape.verified else {}
+        for tilt in leans:
+            poses = verified.get(tilt, []) if shape.verified else _leant(shape, at, tilt)
             com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
             yield from sorted(poses, key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
@@ -119,6 +122,18 @@ def _verified(shape: Shape, at: Pose) -> list[Pose]:
     turns = [at @ Pose.of(rotvec=(0.0, 0.0, 2 * np.pi * k / SECTORS)) for k in around]
     other_way_up = Pose.of(rotvec=(0.0, 0.0, np.pi))
     return [pose for turn in turns for g in shape.grasps for pose in (turn @ g.pose, turn @ g.pose @ other_way_up)]
+
+
+def _by_lean(poses: list[Pose], leans: tuple[float, ...], turns: tuple[float, ...]) -> dict[float, list[Pose]]:
+    """Each pose, and each turn of it, under the one of `leans` that it is nearest to, if any is near [rad]."""
+    found: dict[float, list[Pose]] = {}
+    for turn in turns:
+        for pose in (pose @ Pose.of(rotvec=(0.0, turn, 0.0)) for pose in poses):
+            tilt = _tilt(pose)
+            nearest = min(leans, key=lambda lean: abs(lean - tilt))
+            if abs(nearest - tilt) < BETWEEN:
+                found.setdefault(nearest, []).append(pose)
+    return found
 
 
 def _tilt(pose: Pose) -> float:
