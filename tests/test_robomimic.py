@@ -15,9 +15,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+from optimus.control import CONTROL_HZ
 from optimus.data.curate import CurationConfig, curate, load_curation
 from optimus.data.store import EpisodeStore
-from optimus.env import FULL_STATE, ManipulationEnv
+from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError
 from optimus.exchange.robomimic import RobomimicConfig, export_robomimic
 from optimus.exchange.robomimic_import import RobomimicSource, import_robomimic
@@ -63,7 +64,7 @@ def test_what_was_exported_comes_back(tmp_path: Path) -> None:
     for seed in load_curation(store.path).kept:
         one, other = store.read(seed), back.read(seed)
         assert one.skeleton == other.skeleton and one.object_names == other.object_names
-        for name in ("actions", "executed", "objects"):
+        for name in ("actions", "executed", "objects", "initial_state"):
             assert np.array_equal(getattr(one, name), getattr(other, name))
         assert all(np.array_equal(a, other.observations[n]) for n, a in one.observations.items())
 
@@ -100,11 +101,11 @@ def test_states_are_those_of_the_physics(taught: tuple[Path, Path], tmp_path: Pa
         model, states = env.world.model, demo["states"][()]
         assert "<mujoco" in demo.attrs["model_file"] and json.loads(demo.attrs["ep_meta"])["lang"].startswith("put the red block")
         for step in (0, len(episode) // 2, len(episode) - 1):
-            mujoco.mj_setState(model, env.data, states[step], FULL_STATE)
+            time, env.data.qpos[:], env.data.qvel[:] = np.split(states[step], (1, 1 + model.nq))  # robosuite's order
             mujoco.mj_forward(model, env.data)
+            assert time == pytest.approx(states[0, 0] + step / CONTROL_HZ)
             assert np.allclose(env.object_positions(), episode.objects[step], atol=1e-6)
             assert np.allclose(env.observe()["robot0_eef_pos"], episode.observations["robot0_eef_pos"][step], atol=1e-6)
-            assert np.array_equal(env.data.qpos, states[step][1 : 1 + model.nq])  # robosuite's order: time, qpos, qvel
 
 
 def test_another_s_demonstrations_are_curated_and_learned_from(tmp_path: Path) -> None:

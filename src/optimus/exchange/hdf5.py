@@ -7,6 +7,8 @@ types that are read by running code elsewhere (pickled objects in opaque or vari
 from __future__ import annotations
 
 import json
+import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,6 +24,17 @@ PLAIN_KINDS = "biuf"
 """Booleans, integers and floating-point numbers, as numpy calls them."""
 BUILT_IN = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32, h5py.h5z.FILTER_SZIP, h5py.h5z.FILTER_LZF}
 """Filters that need no plug-in."""
+
+
+@contextmanager
+def created(path: Path) -> Iterator[h5py.File]:
+    """A new file, of a kind that may be read by several at once. `OSError` says why it cannot be written, also in closing it."""
+    try:
+        with h5py.File(path, "w", libver="v110") as file:
+            yield file
+    except (OSError, RuntimeError) as error:  # HDF5's own messages run over many lines, the reason in between
+        number = re.search(r"errno = (\d+)", str(error))
+        raise OSError(int(number[1]), os.strerror(int(number[1]))) if number else error from error
 
 
 @contextmanager

@@ -2,12 +2,12 @@
 
     data                            attributes total, env_args (JSON: env_name, type, env_kwargs)
     data/demo_0                     attributes num_samples, model_file (MJCF), ep_meta (JSON: lang, seed, skeleton ...)
-    data/demo_0/{actions, states, rewards, dones}       (T, ...)
+    data/demo_0/{actions, states, rewards, dones}       (T, ...); states: time, qpos, qvel
     data/demo_0/{obs, next_obs}/<name>                  (T, ...); images uint8 (T, height, width, 3), named <camera>_image
     mask/{train, valid}             names of demonstrations
 
-`actions` are the labels; what was executed, which differs where the arm was pushed on purpose, is in `executed` besides. A row of
-`states` begins with time, qpos and qvel, as robosuite flattens a state; what MuJoCo needs besides to go on exactly follows.
+`actions` are the labels. Besides, what only this program reads: `executed`, which differs from them where the arm was pushed on
+purpose, and `initial_state`, all that MuJoCo needs to start the episode again exactly.
 `obs/object` holds the positions of the movable things one after another. After the last step nothing was seen: it is its own
 `next_obs`.
 """
@@ -29,6 +29,7 @@ from optimus.data.episode import IMAGE_SUFFIX
 from optimus.data.episode_file import EpisodeHeader, read_episode
 from optimus.data.store import installed_versions
 from optimus.env import ManipulationEnv
+from optimus.exchange.hdf5 import created
 from optimus.exchange.selection import Selection, instruction_of, select
 from optimus.exchange.states import environment, states_of
 from optimus.registration import gym_id
@@ -65,7 +66,7 @@ def export_robomimic(
     require_free(out, config.overwrite)
     selection = select(dataset, config.everything)
     env = environment(selection.store)
-    with written_aside(out, config.overwrite) as path, h5py.File(path, "w", libver="v110") as file:
+    with written_aside(out, config.overwrite) as path, created(path) as file:
         data = file.create_group("data")
         for number, header in enumerate(selection.headers):
             _write_demo(data.create_group(f"demo_{number}"), header, env, config)
@@ -90,6 +91,7 @@ def _write_demo(group: h5py.Group, header: EpisodeHeader, env: ManipulationEnv |
     for name, array in {
         "actions": episode.actions,
         "executed": episode.executed,
+        "initial_state": episode.initial_state,
         "rewards": last * episode.success,
         "dones": last.astype(np.int64),
         **({} if states is None else {"states": states}),

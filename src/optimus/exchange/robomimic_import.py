@@ -117,7 +117,11 @@ def _episode(
         raise DatasetError(f"{demo.file.filename}: {demo.name}/actions has shape {actions.shape}, not (steps, numbers)")
     steps, obs, about = len(actions), group_in(demo, "obs"), facts(demo, "ep_meta")
     here = names_in(demo)
-    states = numbers(demo, "states", steps) if "states" in here else np.zeros((steps, 0))
+    start = np.zeros(0)
+    if "initial_state" in here:
+        start = numbers(demo, "initial_state").ravel()
+    elif "states" in here:
+        start = numbers(demo, "states", steps)[0]
     objects, object_names = _objects(obs, about, steps)
     success = _success(demo, about, steps)
     observations = {name: numbers(obs, name, steps).astype(np.float32) for name in low}
@@ -132,7 +136,7 @@ def _episode(
         observations=observations,
         actions=actions,
         executed=numbers(demo, "executed", steps).astype(np.float32) if "executed" in here else actions.copy(),
-        initial_state=states[0].astype(np.float64),
+        initial_state=start.astype(np.float64),
         objects=objects,
         object_names=object_names,
         success=success,

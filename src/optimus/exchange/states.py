@@ -35,7 +35,7 @@ def _environment(task: str, control: str, arm: object) -> ManipulationEnv:
 
 
 def states_of(header: EpisodeHeader, env: ManipulationEnv | None) -> NDArray[np.float64] | None:
-    """`(T, n)`: time, qpos, qvel and the rest of MuJoCo's integration state before each action; None where nothing is known.
+    """`(T, 1 + nq + nv)`: time, qpos and qvel before each action, as robosuite flattens a state; None where nothing is known.
 
     An episode that did not record them is carried out again, which is exact: `DatasetError` if the objects are not at every step
     where they were (another version of the physics, another robot's file).
@@ -47,8 +47,9 @@ def states_of(header: EpisodeHeader, env: ManipulationEnv | None) -> NDArray[np.
     objects, executed = header.read("objects"), header.read("executed")
     env.reset(seed=header.seed, options={"state": header.read("initial_state")})
     rows, places = [], []
+    size = 1 + env.world.model.nq + env.world.model.nv  # how an integration state begins (mjtState's order)
     for action in executed:
-        rows.append(env.snapshot())
+        rows.append(env.snapshot()[:size])
         places.append(env.object_positions())
         env.step(action)
     off = float(np.abs(np.stack(places) - objects).max(initial=0.0))

@@ -47,9 +47,9 @@ class CameraFiles:
 
     def close(self) -> None:
         """End the file that is being written."""
-        if self._writer is not None:
-            self._writer.close()
-            self._writer = None
+        writer, self._writer = self._writer, None
+        if writer is not None:
+            writer.close()
 
     def compare(self, originals: Iterable[NDArray[np.uint8]]) -> dict[str, float]:
         """Decode all files and compare every frame with its original: PSNR [dB] over all pixels, and of the worst frame."""

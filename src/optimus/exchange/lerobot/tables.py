@@ -57,9 +57,9 @@ class FrameTable:
 
     def close(self) -> None:
         """End the file that is being written."""
-        if self._writer is not None:
-            self._writer.close()
-            self._writer = None
+        writer, self._writer = self._writer, None
+        if writer is not None:
+            writer.close()
 
 
 def _column(values: NDArray[Any]) -> pa.Array:

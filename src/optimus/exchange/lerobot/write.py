@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,7 +27,7 @@ from PIL import Image
 from optimus.control import CONTROL_HZ
 from optimus.data.atomic import make_folder, require_free, write_json, written_aside
 from optimus.data.episode import IMAGE_SUFFIX, TASKS_OWN
-from optimus.data.episode_file import EpisodeHeader, read_episode
+from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, read_episode
 from optimus.errors import DatasetError
 from optimus.exchange import video
 from optimus.exchange.lerobot import statistics
@@ -73,10 +74,13 @@ def export_lerobot(
     selection = _in_order(select(dataset, config.everything))
     with written_aside(out, config.overwrite, MARKER) as root:
         writer = _Writer(root, selection, config)
-        for number, header in enumerate(selection.headers):
-            writer.add(header)
-            progress(number + 1, len(selection.headers))
-        quality = writer.finish()
+        try:
+            for number, header in enumerate(selection.headers):
+                writer.add(header)
+                progress(number + 1, len(selection.headers))
+            quality = writer.finish()
+        finally:
+            writer.close()
     counts = {"episodes": len(selection.headers), "frames": selection.steps, "instructions": len(writer.tasks)}
     return {"folder": str(out), **counts, "splits": _splits(selection), "videos": quality}
 
@@ -179,9 +183,15 @@ class _Writer:
         write_json(self.root / MARKER, self._info())
         return quality
 
+    def close(self) -> None:
+        """Let go of the files, in whatever state they are."""
+        for files in (self.frames, *self.cameras.values()):
+            with suppress(OSError, ValueError):
+                files.close()
+
     def _originals(self, camera: str) -> Iterator[NDArray[np.uint8]]:
         for header in self.selection.headers:
-            yield from header.read(f"obs.{camera}{IMAGE_SUFFIX}")
+            yield from header.read(f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}")
 
     def _info(self) -> dict[str, Any]:
         store = self.selection.store
