@@ -23,7 +23,7 @@ UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
-TURNED = tuple(np.radians((0.0, -11.0, 11.0, -22.0, 22.0)))
+TURNED = tuple(np.radians((-11.0, 11.0, -22.0, 22.0)))
 """Under a roof, where few ways in are left, a grasp that was tried is also taken turned by this about the line on which the fingers
 close [rad]: the pads touch the same places."""
 BETWEEN = np.radians(16.0)
@@ -61,11 +61,10 @@ class Pick:
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
         leans = LEANING if roofed else UPRIGHT
-        verified = _by_lean(_verified(shape, at), leans, TURNED if roofed else (0.0,)) if shape.verified else {}
-        for tilt in leans:
-            poses = verified.get(tilt, []) if shape.verified else _leant(shape, at, tilt)
-            com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
-            yield from sorted(poses, key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
+        for poses in _by_lean(shape, at, leans, roofed):
+            for tilt in leans:
+                com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
+                yield from sorted(poses[tilt], key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
@@ -110,10 +109,26 @@ def _has_missed(workspace: Workspace, thing: str, grasp: Pose) -> bool:
     return any(distance(grasp, other) < MISS_RADIUS for name, other in workspace.missed if name == thing)
 
 
-def _leant(shape: Shape, at: Pose, tilt: float) -> list[Pose]:
-    """The grasps of a shape of primitives, each turned by `tilt` about the line on which the fingers close."""
-    lean = Pose.of(rotvec=(0.0, tilt, 0.0))
-    return [at @ grasp.pose @ lean for grasp in shape.grasps]
+def _by_lean(shape: Shape, at: Pose, leans: tuple[float, ...], roofed: bool) -> Iterator[dict[float, list[Pose]]]:
+    """The grasps of a shape by how far they lean [rad]: those of a shape of primitives turned to each lean; those that were tried
+    under the lean that each is nearest to, if any is near, and after them, under a roof, their turns."""
+    if not shape.verified:
+        yield {tilt: [at @ grasp.pose @ _turn(tilt) for grasp in shape.grasps] for tilt in leans}
+        return
+    tried = _verified(shape, at)
+    for turns in ((0.0,), TURNED) if roofed else ((0.0,),):
+        found: dict[float, list[Pose]] = {tilt: [] for tilt in leans}
+        for pose in (pose @ _turn(turn) for turn in turns for pose in tried):
+            tilt = _tilt(pose)
+            nearest = min(leans, key=lambda lean: abs(lean - tilt))
+            if abs(nearest - tilt) < BETWEEN:
+                found[nearest].append(pose)
+        yield found
+
+
+def _turn(angle: float) -> Pose:
+    """A turn about the line on which the fingers close [rad]."""
+    return Pose.of(rotvec=(0.0, angle, 0.0))
 
 
 def _verified(shape: Shape, at: Pose) -> list[Pose]:
@@ -122,18 +137,6 @@ def _verified(shape: Shape, at: Pose) -> list[Pose]:
     turns = [at @ Pose.of(rotvec=(0.0, 0.0, 2 * np.pi * k / SECTORS)) for k in around]
     other_way_up = Pose.of(rotvec=(0.0, 0.0, np.pi))
     return [pose for turn in turns for g in shape.grasps for pose in (turn @ g.pose, turn @ g.pose @ other_way_up)]
-
-
-def _by_lean(poses: list[Pose], leans: tuple[float, ...], turns: tuple[float, ...]) -> dict[float, list[Pose]]:
-    """Each pose, and each turn of it, under the one of `leans` that it is nearest to, if any is near [rad]."""
-    found: dict[float, list[Pose]] = {}
-    for turn in turns:
-        for pose in (pose @ Pose.of(rotvec=(0.0, turn, 0.0)) for pose in poses):
-            tilt = _tilt(pose)
-            nearest = min(leans, key=lambda lean: abs(lean - tilt))
-            if abs(nearest - tilt) < BETWEEN:
-                found.setdefault(nearest, []).append(pose)
-    return found
 
 
 def _tilt(pose: Pose) -> float:
