@@ -35,7 +35,7 @@ def refused(*args: str) -> str:
 
 def test_tasks_and_help() -> None:
     assert {t["name"] for t in result_of("tasks")["tasks"]} == set(TASKS)
-    for verb in ("show", "collect", "train", "evaluate", "export-policy", "run", "bench"):
+    for verb in ("show", "collect", "dataset", "export", "import", "train", "evaluate", "export-policy", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
 
@@ -146,3 +146,18 @@ def test_the_stages_one_by_one(tmp_path: Path) -> None:
     assert found["episodes"] == 2 and len(found["interval"]) == 2
     assert len(list(films.glob("*.mp4"))) == 2
     assert "pick-place" in refused(*args, "--task", "pick-place")
+
+
+def test_data_sets_come_and_go(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    data, file = str(taught[0]), str(tmp_path / "d.hdf5")
+    assert result_of("export", "robomimic", data, "--out", file, "--no-next-obs")["states"] is True
+    assert "--overwrite" in refused("export", "robomimic", data, "--out", file)
+    assert "robomimic" in refused("export", "lerobot", data, "--out", str(tmp_path / "l"), "--compress")
+    assert result_of("import", "robomimic", file, "--out", str(tmp_path / "back"))["task"] == "stack"
+    assert result_of("export", "lerobot", str(tmp_path / "back"), "--out", str(tmp_path / "l"))["instructions"] == 1
+    about = result_of("dataset", str(tmp_path / "back"), "--html", str(tmp_path / "page.html"))
+    assert about["episodes"] == 4 and list(about["instructions"]) == ["put the red block on the green block"]
+    assert (tmp_path / "page.html").read_text().startswith("<!DOCTYPE html>")
+    assert result_of("dataset", data, "--play", "0", "--out", str(tmp_path / "0.mp4"))["frames"] > 50
+    assert "it holds" in refused("dataset", data, "--play", "77")
+    assert "not a dataset" in refused("dataset", str(tmp_path))

@@ -19,6 +19,7 @@ from optimus.data.episode import (
     GRIPPER,
     IMAGE_SIZE,
     IMAGE_SUFFIX,
+    INSTRUCTION,
     OBJECT_POSITIONS,
     OSC,
     Observation,
@@ -149,7 +150,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.cpu["physics"] += time.process_time() - began
 
     def _info(self) -> dict[str, Any]:
-        return {"seed": self.episode_seed, "variant": self.problem.variant}
+        return {"seed": self.episode_seed, "variant": self.problem.variant, INSTRUCTION: self.problem.instruction}
 
     def state(self) -> State:
         """The kinematic snapshot, with what is held."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import JOINT_SCALE
-from optimus.data.episode import GRIPPER, STATE_COLUMNS, VIEWS, Episode, Observation
+from optimus.data.episode import GRIPPER, INSTRUCTION, STATE_COLUMNS, VIEWS, Episode, Observation
 from optimus.env import RECORDED_STATE, ManipulationEnv
 from optimus.predicates import holds
 from optimus.world import World
@@ -171,6 +171,8 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
             "goal": sorted(str(a) for a in env.problem.goal),
             VIEWS: env.world.views,
             STATE_COLUMNS: state_columns(env.world),
+            INSTRUCTION: env.problem.instruction,
+            "words": env.problem.words,
         },
         states=np.stack(log.states),
     )

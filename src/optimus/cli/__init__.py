@@ -7,7 +7,9 @@ import sys
 
 import tyro
 
+from optimus.cli.datasets import dataset
 from optimus.cli.demonstrations import collect, curate, imitability
+from optimus.cli.exchange import export, import_
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
@@ -16,8 +18,10 @@ from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-_VERBS = (tasks, objects, show, collect, render, curate, imitability, train, evaluate, export_policy, run, bench)
-VERBS = {f.__name__.replace("_", "-"): f for f in _VERBS}
+_FUNCTIONS = (
+    tasks, objects, show, collect, render, curate, imitability, dataset, export, import_, train, evaluate, export_policy, run, bench
+)  # fmt: skip
+VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in _FUNCTIONS}
 
 
 def main() -> None:

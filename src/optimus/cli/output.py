@@ -40,9 +40,11 @@ def table(result: dict[str, Any]) -> str:
 def _rows(value: Any) -> dict[str, Any]:
     """What stands below its own heading, line by line: parts that have parts, and lists of episodes."""
     if isinstance(value, list):
+        if not all(isinstance(row, dict) for row in value):
+            return {}
         return {f"seed {row['seed']}": {k: v for k, v in row.items() if k != "seed"} for row in value}
     nested = isinstance(value, dict) and any(isinstance(part, dict) for part in value.values())
-    return value if nested else {}
+    return dict(value) if nested else {}
 
 
 def _text(value: Any) -> str:
@@ -75,6 +77,16 @@ def counter(bar: Any) -> Callable[[int, int], None]:
             bar.set_postfix(successes=successes)
         bar.n = done
         bar.refresh()
+
+    return progress
+
+
+def counted(bar: Any) -> Callable[[int, int], None]:
+    """Shows `(done, of how many)` on a bar."""
+
+    def progress(done: int, of: int) -> None:
+        bar.total, bar.n = of, done
+        bar.update(0)
 
     return progress
 

@@ -28,6 +28,9 @@ def arm_parts(control: str, size: int) -> tuple[slice, ...]:
     return (slice(0, size - 1),) if control == "joint" else (slice(0, 3), slice(3, 6))
 
 
+INSTRUCTION = "instruction"
+"""In an episode's `info`: what was wanted, in plain English; episodes of older data sets have none."""
+
 PROPRIOCEPTION: dict[str, int] = {
     "robot0_eef_pos": 3,
     "robot0_eef_quat": 4,
@@ -88,7 +91,8 @@ class Episode:
     skeleton: tuple[str, ...] = ()
     """The plan's skills in order, e.g. `("pick", "stack")`; empty for a policy."""
     info: dict[str, Any] = field(default_factory=dict)
-    """JSON-able facts: variant of the scene, timings, tracking error, retries, versions, `VIEWS`, `STATE_COLUMNS`."""
+    """JSON-able facts: variant of the scene, instruction, what the objects are called (`words`), timings, tracking error, retries,
+    versions, `VIEWS`, `STATE_COLUMNS`."""
     states: NDArray[np.float64] | None = None
     """`(T, n)`: the simulator's time [s], positions and velocities (MuJoCo's qpos and qvel) at each observation, from which it
     can be rendered again; None where nobody recorded them."""

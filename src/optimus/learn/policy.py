@@ -103,7 +103,7 @@ class Policy(nn.Module):
         seen = self.looked + low
         # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
         # too, but small among them, and took the trunk many times as many steps to find there.
-        self.locates = config.locates and bool(inputs.cameras)
+        self.locates = config.locates and bool(inputs.cameras) and inputs.objects > 0  # imported data may know of no objects
         self.embed = nn.Linear(seen + 3 * inputs.objects * self.locates, config.trunk.token)
         self.trunk: Trunk = config.trunk.build(config.context)
         self.head: Head = config.head.build(config.trunk.width, inputs.actions)
