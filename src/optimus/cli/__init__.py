@@ -8,6 +8,7 @@ import sys
 import tyro
 
 from optimus.cli.demonstrations import collect, curate
+from optimus.cli.health import doctor
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
@@ -15,11 +16,12 @@ from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench, doctor)}
 
 
 def main() -> None:
-    """The `optimus` command. Exit status: 0, 2 for an error that the user can mend, 130 when interrupted."""
+    """The `optimus` command. Exit status: 0; 1 when `doctor` finds something broken; 2 for an error that the user can mend;
+    130 when interrupted."""
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:
