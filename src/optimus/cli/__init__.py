@@ -9,6 +9,7 @@ import tyro
 
 from optimus.cli.demonstrations import collect, curate
 from optimus.cli.health import doctor
+from optimus.cli.live import view
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
@@ -16,7 +17,7 @@ from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench, doctor)}
+VERBS = {f.__name__: f for f in (tasks, objects, show, view, collect, curate, train, evaluate, run, bench, doctor)}
 
 
 def main() -> None:

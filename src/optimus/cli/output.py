@@ -14,6 +14,7 @@ from tqdm import tqdm
 def say(result: dict[str, Any], json: bool, text: str) -> None:
     """The verb's answer, last on standard output: one JSON object, or a few words."""
     sys.stdout.write((jsonlib.dumps(result) if json else text) + "\n")
+    sys.stdout.flush()
 
 
 def rate(report: dict[str, Any]) -> str:
