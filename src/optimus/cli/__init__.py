@@ -13,11 +13,12 @@ from optimus.cli.live import view
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
+from optimus.cli.pages import report
 from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, view, collect, curate, train, evaluate, run, bench, doctor)}
+VERBS = {f.__name__: f for f in (tasks, objects, show, view, collect, curate, train, evaluate, run, report, bench, doctor)}
 
 
 def main() -> None:

@@ -111,8 +111,8 @@ class Stage:
 
     def segments(self, kind: str) -> Array:
         """The lines of that kind, `(n, 2, 3)` [m]."""
-        shown = self._extras.get(kind, [])
-        return np.concatenate([h.points for h in shown if isinstance(h, viser.LineSegmentsHandle)]) if shown else np.empty((0, 2, 3))
+        shown = [np.asarray(h.points, np.float64) for h in self._extras.get(kind, []) if isinstance(h, viser.LineSegmentsHandle)]
+        return np.concatenate([np.empty((0, 2, 3)), *shown])
 
     def clear(self, kind: str) -> None:
         """Take away the `ghosts`, the `marks`, or the lines of a kind."""
