@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import sys
 
 import tyro
@@ -13,12 +14,17 @@ from optimus.cli.live import view
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
+from optimus.cli.output import QUIET
 from optimus.cli.pages import report
 from optimus.cli.policies import evaluate, train
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
 VERBS = {f.__name__: f for f in (tasks, objects, show, view, collect, curate, train, evaluate, run, report, bench, doctor)}
+
+DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
+
+Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars."""
 
 
 def main() -> None:
@@ -28,7 +34,10 @@ def main() -> None:
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:
             raise UnknownNameError("verb", sys.argv[1], VERBS)
-        tyro.extras.subcommand_cli_from_dict(VERBS, prog="optimus", description=__doc__)
+        if "--quiet" in sys.argv:
+            sys.argv.remove("--quiet")
+            os.environ[QUIET] = "1"
+        tyro.extras.subcommand_cli_from_dict(VERBS, prog="optimus", description=DESCRIPTION)
     except OptimusError as error:
         sys.stderr.write(f"optimus: {error}\n")
         raise SystemExit(2) from None

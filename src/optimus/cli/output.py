@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json as jsonlib
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from tqdm import tqdm
+
+QUIET = "OPTIMUS_QUIET"
+"""The environment variable that stands for `--quiet`: no progress bars."""
 
 
 def say(result: dict[str, Any], json: bool, text: str) -> None:
@@ -58,7 +62,8 @@ def _text(value: Any) -> str:
 
 
 def _new_bar(total: int | None, what: str, unit: str) -> Any:
-    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5)
+    quiet = QUIET in os.environ
+    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=quiet)
 
 
 @contextmanager

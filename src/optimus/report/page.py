@@ -91,10 +91,11 @@ def _films(films: Sequence[Film]) -> str:
     return section("films", "What it looks like", _moving(shown), lead) if shown else ""
 
 
-def _moving(films: Sequence[Film]) -> str:
+def _moving(films: Sequence[Film], strips_at_most: int = 3) -> str:
     """Videos beside one another, strips below one another."""
+    with_strip = [film for film in films if film.strip][:strips_at_most]
     videos = "".join(_figure(film, _video(film.video)) for film in films if film.video)
-    strips = "".join(_figure(film, _picture(film.strip, film.caption)) for film in films if film.strip)
+    strips = "".join(_figure(film, _picture(film.strip, film.caption)) for film in with_strip)
     return (f'<div class="grid films">{videos}</div>' if videos else "") + (
         f'<div class="card strips">{strips}</div>' if strips else ""
     )
@@ -110,7 +111,7 @@ def _failures(films: Sequence[Film], evaluations: Sequence[EvaluationStats]) -> 
     body = ""
     for cause, count in sorted(counts.items(), key=lambda item: -item[1]):
         of_it = [film for film in films if film.success is False and film.cause == cause]
-        body += f'<h3 class="cause failure">{escape(cause)}: {count} of {episodes} episodes</h3>{_moving(of_it)}'
+        body += f'<h3 class="cause failure">{escape(cause)}: {count} of {episodes} episodes</h3>{_moving(of_it, strips_at_most=1)}'
     rest = [film for film in films if film.success is False and film.cause not in counts]
     if not body and not rest:
         return ""
