@@ -230,6 +230,7 @@ class FilmedEpisode:
     video: Path
     strip: Path
     success: bool
+    cause: str = ""
 
 
 def film_outcomes(
@@ -242,12 +243,11 @@ def film_outcomes(
     robot: Robot | None = None,
     each: int = 3,
 ) -> list[FilmedEpisode]:
-    """Films (MP4, and a PNG strip) of the first few successes and failures. The episodes are played again: they are
-    functions of their seeds."""
+    """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
+    are functions of their seeds."""
     films = []
     for success in (True, False):
-        chosen = [i for i, o in enumerate(report["outcomes"]) if o["success"] is success][:each]
-        for i in chosen:
+        for i in worth_filming(report["outcomes"], success, each):
             outcome, film = report["outcomes"][i], Film()
             play(run, starts[i], seed + i, component, film, robot)
             path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
@@ -255,5 +255,16 @@ def film_outcomes(
             write_whole(path.with_suffix(".png"), png(film.strip()))
             named = f"seed {outcome['seed']} {outcome['variant']}".strip()
             caption = f"{named}: {'success' if success else outcome['cause']}"
-            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success))
+            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success, outcome["cause"]))
     return films
+
+
+def worth_filming(outcomes: Sequence[dict[str, Any]], success: bool, each: int) -> list[int]:
+    """Indices of `each` outcomes; of failures one of every cause first, however many causes there are."""
+    seen: Counter[str] = Counter()
+    ranked = []
+    for i, outcome in enumerate(outcomes):
+        if outcome["success"] is success:
+            ranked.append((seen[outcome["cause"]], i))
+            seen[outcome["cause"]] += 1
+    return [i for _, i in sorted(ranked)[: max(each, len(seen))]]

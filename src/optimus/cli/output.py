@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as jsonlib
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,10 +11,14 @@ from typing import Any
 
 from tqdm import tqdm
 
+QUIET = "OPTIMUS_QUIET"
+"""The environment variable that stands for `--quiet`: no progress bars."""
+
 
 def say(result: dict[str, Any], json: bool, text: str) -> None:
     """The verb's answer, last on standard output: one JSON object, or a few words."""
     sys.stdout.write((jsonlib.dumps(result) if json else text) + "\n")
+    sys.stdout.flush()
 
 
 def rate(report: dict[str, Any]) -> str:
@@ -59,7 +64,8 @@ def _text(value: Any) -> str:
 
 
 def _new_bar(total: int | None, what: str, unit: str, silent: bool = False) -> Any:
-    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=silent)
+    quiet = silent or QUIET in os.environ
+    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=quiet)
 
 
 @contextmanager

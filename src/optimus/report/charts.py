@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 from optimus.report.data import Interval
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 # what is drawn with, and the colour of the page that replaces it
 INK, FRAME, FIRST, SECOND = "#010203", "#010204", "#010205", "#010206"
+OTHERS = ("#2e8b57", "#8c5aaa", "#c2453a", "#8a8a2b")
+"""Of further curves; they are seen on light and dark."""
 PAINT = {INK: "currentColor", FRAME: "var(--line)", FIRST: "var(--first)", SECOND: "var(--second)"}
 
 
@@ -40,18 +43,19 @@ PANELS = (
 
 def curves(panel: Panel, metrics: Sequence[Mapping[str, float]]) -> str:
     """An SVG of the panel, or nothing where the log has none of its keys."""
+    series = {label: [(line["step"], line[key]) for line in metrics if key in line] for label, key in panel.curves.items()}
+    return lines(panel, series) if any(series.values()) else ""
+
+
+def lines(panel: Panel, series: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+    """An SVG of labelled points `(step, value)`, each series in its colour."""
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    series = {
-        label: [(line["step"], line[key]) for line in metrics if key in line] for label, key in panel.curves.items()
-    }
-    if not any(series.values()):
-        return ""
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": panel.title, "font.family": "sans-serif"}):
         figure = Figure(figsize=(5.4, 2.8), layout="constrained")
         axes = figure.add_subplot()
-        for color, (label, points) in zip((FIRST, SECOND), series.items(), strict=False):
+        for color, (label, points) in zip(cycle((FIRST, SECOND, *OTHERS)), series.items(), strict=False):
             if points:
                 x, y = zip(*points, strict=True)
                 marker = "o" if len(points) < 25 else ""

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from optimus.data.atomic import write_whole
 from optimus.report import charts, pieces
-from optimus.report.data import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData
+from optimus.report.coverage import coverage
+from optimus.report.data import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 
 WHAT = (
     "A planner that knows the task solved it again and again in simulation; a neural network then learned to"
@@ -26,8 +27,10 @@ def render(data: ReportData) -> str:
         _header(data),
         _result(data.expert, data.evaluations),
         _films(data.films),
+        _failures(data.films, data.evaluations),
         _training(data.metrics),
         _dataset(data.dataset),
+        _starts(data.starts),
         _expert(data.expert),
         _time(data.seconds),
         _episodes(data.evaluations),
@@ -38,10 +41,7 @@ def render(data: ReportData) -> str:
 
 def _header(data: ReportData) -> str:
     description = f"<p>{escape(data.description)}</p>" if data.description else ""
-    return (
-        f"<header><h1>{escape(data.title)}</h1>{description}<p>{WHAT}</p>"
-        f"<pre><code>{escape(data.command)}</code></pre></header>"
-    )
+    return f"<header><h1>{escape(data.title)}</h1>{description}<p>{WHAT}</p><pre><code>{escape(data.command)}</code></pre></header>"
 
 
 def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) -> str:
@@ -53,9 +53,7 @@ def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) 
         bars.append(charts.rate_bar(label, e.successes, e.episodes, e.interval, "policy"))
     if not bars:
         return ""
-    tables = [
-        pieces.counts(f"Failures of the policy, {e.states} states", e.failures, "cause") for e in evaluations if e.failures
-    ]
+    tables = []
     if expert and expert.failures:
         tables.append(pieces.counts("Failures of the expert", expert.failures, "reason"))
     grid = f'<div class="grid" style="margin-top:1rem">{"".join(tables)}</div>' if tables else ""
@@ -63,13 +61,36 @@ def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) 
 
 
 def _films(films: Sequence[Film]) -> str:
-    videos = "".join(pieces.figure(film, pieces.video(film.video)) for film in films if film.video)
-    strips = "".join(pieces.figure(film, pieces.picture(film.strip, film.caption)) for film in films if film.strip)
-    body = (f'<div class="grid">{videos}</div>' if videos else "") + (
-        f'<div class="card" style="margin-top:1rem">{strips}</div>' if strips else ""
-    )
     lead = "Episodes of the evaluation. Time runs from left to right in the strips."
-    return pieces.section("films", "What it looks like", body, lead) if body else ""
+    shown = [film for film in films if film.success is not False]
+    return pieces.section("films", "What it looks like", _moving(shown), lead) if shown else ""
+
+
+def _moving(films: Sequence[Film], strips_at_most: int = 3) -> str:
+    """Videos beside one another, strips below one another."""
+    with_strip = [(film, film.strip) for film in films if film.strip][:strips_at_most]
+    videos = "".join(pieces.figure(film, pieces.video(film.video)) for film in films if film.video)
+    strips = "".join(pieces.figure(film, pieces.picture(strip, film.caption)) for film, strip in with_strip)
+    return (f'<div class="grid films">{videos}</div>' if videos else "") + (
+        f'<div class="card strips">{strips}</div>' if strips else ""
+    )
+
+
+def _failures(films: Sequence[Film], evaluations: Sequence[EvaluationStats]) -> str:
+    """What went wrong, the most frequent first, each with films of it where there are some."""
+    counts: dict[str, int] = {}
+    for e in evaluations:
+        for cause, count in e.failures.items():
+            counts[cause] = counts.get(cause, 0) + count
+    episodes = sum(e.episodes for e in evaluations)
+    body = ""
+    for cause, count in sorted(counts.items(), key=lambda item: -item[1]):
+        of_it = [film for film in films if film.success is False and film.cause == cause]
+        body += f'<h3 class="cause failure">{escape(cause)}: {count} of {episodes} episodes</h3>{_moving(of_it, strips_at_most=1)}'
+    rest = [film for film in films if film.success is False and film.cause not in counts]
+    if not body and not rest:
+        return ""
+    return pieces.section("failures", "What went wrong", body + _moving(rest), "Failures of the policy by their cause.")
 
 
 def _training(metrics: Sequence[Mapping[str, float]]) -> str:
@@ -93,10 +114,25 @@ def _dataset(stats: DatasetStats | None) -> str:
         cards.append(f'<div class="card"><h3>Lengths [steps]</h3>{charts.histogram(stats.lengths)}</div>')
     if stats.per_skeleton:
         cards.append(pieces.counts("Plans", stats.per_skeleton, "sequence of skills"))
-    if stats.dropped:
-        cards.append(pieces.counts("Dropped", stats.dropped, "reason"))
+    cards.append(_curation(stats))
     body = pieces.numbers(numbers) + f'<div class="grid">{"".join(cards)}</div>'
     return pieces.section("dataset", "Demonstrations", body, "What the policy learned from: episodes of the expert.")
+
+
+def _curation(stats: DatasetStats) -> str:
+    """What became of each demonstration: learned from, held out, or left out and why."""
+    kept = {"learned from": stats.training, "held out for validation": stats.held_out}
+    rows = [[what, count] for what, count in kept.items() if count is not None]
+    rows += [[f"left out: {why}", count] for why, count in sorted(stats.dropped.items(), key=lambda item: -item[1])]
+    if not rows:
+        return ""
+    return f'<div class="card"><h3>Curation</h3>{pieces.table(["demonstrations", "number"], rows, number=1)}</div>'
+
+
+def _starts(starts: Sequence[Starts]) -> str:
+    cards = "".join(f'<div class="card"><h3>{escape(s.thing)}</h3>{picture}</div>' for s in starts if (picture := coverage(s)))
+    lead = "Where things stood at first, from above. Dots: learned from; rings: held out; crosses: where the policy failed."
+    return pieces.section("starts", "Coverage of starts", f'<div class="grid">{cards}</div>', lead) if cards else ""
 
 
 def _expert(stats: ExpertStats | None) -> str:
@@ -116,8 +152,8 @@ def _time(seconds: Mapping[str, float]) -> str:
         return ""
     parts = "".join(f'<i style="flex:{s / total:.4f}" title="{escape(n, quote=True)}"></i>' for n, s in seconds.items())
     rows = {**{name: duration(s) for name, s in seconds.items()}, "together": duration(total)}
-    table = pieces.table(["stage", "time"], [[name, value] for name, value in rows.items()], number=1)
-    return pieces.section("time", "Time", f'<div class="card"><div class="stack">{parts}</div>{table}</div>')
+    rows_shown = pieces.table(["stage", "time"], [[name, value] for name, value in rows.items()], number=1)
+    return pieces.section("time", "Time", f'<div class="card"><div class="stack">{parts}</div>{rows_shown}</div>')
 
 
 def duration(seconds: float) -> str:
@@ -133,9 +169,9 @@ def _episodes(evaluations: Sequence[EvaluationStats]) -> str:
     for e in evaluations:
         if e.rows:
             columns = list(e.rows[0])
-            table = pieces.table(columns, [[row.get(column, "") for column in columns] for row in e.rows])
+            rows_shown = pieces.table(columns, [[row.get(column, "") for column in columns] for row in e.rows])
             summary = f"<summary>{e.episodes} episodes, {escape(e.states)} states</summary>"
-            body += f"<details>{summary}{table}</details>"
+            body += f"<details>{summary}{rows_shown}</details>"
     return pieces.section("episodes", "Every episode", body) if body else ""
 
 
@@ -144,5 +180,6 @@ def _settings(data: ReportData) -> str:
     for title, values in (("Configuration", data.config), ("Versions", data.versions)):
         if values:
             cards += f'<div class="card"><h3>{title}</h3>{pieces.table([], list(pieces.flat(values)))}</div>'
-    grid = f'<div class="grid">{cards}</div>'
-    return pieces.section("settings", "To repeat it", grid, f"Task: {data.task}") if cards else ""
+    lines = "".join(f"<pre><code>{escape(line)}</code></pre>" for line in data.commands)
+    grid = f'{lines}<div class="grid">{cards}</div>'
+    return pieces.section("settings", "To repeat it", grid, f"Task: {data.task}") if cards or lines else ""
