@@ -30,7 +30,7 @@ PUSH_SPEED = 0.6
 """[m/s]; with the friction of the objects on the table a block of 4 cm then slides or tumbles on by some 2 cm."""
 SLIP_AFTER = (4, 20)
 SLIP_STEPS = 4
-SLIP_FORCE_LEFT = 0.02
+SLIP_FORCE_LEFT = 0.0
 """Share of the fingers' force that is left while they slip."""
 
 

@@ -89,11 +89,16 @@ class EvalReport:
         """The outcomes as JSON lines, one an episode, in the order of the initial states: the same text whoever played them."""
         return "".join(json.dumps(asdict(o)) + "\n" for o in self.outcomes)
 
+    @property
+    def file_name(self) -> str:
+        """Of the report in a run's folder."""
+        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said])) + ".json"
+
     def write(self, run: Path) -> None:
         """`RUN/evaluation-<states>[+<conditions>].json` with everything, and the outcomes beside it as `.jsonl`."""
-        name = "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said]))
-        write_json(run / f"{name}.json", self.as_dict())
-        write_whole(run / f"{name}.jsonl", self.lines.encode())
+        path = run / self.file_name
+        write_whole(path.with_suffix(".jsonl"), self.lines.encode())
+        write_json(path, self.as_dict())
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from optimus.learn.train import Progress
 
 Episodes = Annotated[int, arg(help="how many to play")]
-ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy trained for another task; of several, the one to do")]
+ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy of another task; of several, the one to do")]
 
 
 def train(
@@ -177,6 +177,7 @@ def evaluate(
     perturb: PerturbName = None,
     friction: Friction = 1.0,
     mass: Mass = 1.0,
+    horizon: int | None = None,
     json: Json = False,
 ) -> None:
     """Measure a policy's success: k of n, with its 95 % interval and the causes of failure. Every outcome is written to the run's
@@ -196,6 +197,7 @@ def evaluate(
         seed: of the policy's draws, and of random states
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
         videos: write short films of successes and failures to this folder
+        horizon: most steps of an episode, where that is fewer than the task's own
     """
     from optimus import evaluate as evaluation
     from optimus.conditions import Conditions
@@ -205,7 +207,7 @@ def evaluate(
 
     if repeats < 1:
         raise CheckpointError(f"--repeats {repeats} is not positive")
-    conditions, arm = Conditions(perturb, friction, mass), chosen_robot(robot)
+    conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
     results: dict[str, Any] = {}
     for which in ("last", "best") if checkpoint == "both" else (checkpoint,):
         folder = evaluation.policy_folder(run, which)
