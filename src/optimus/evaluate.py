@@ -193,7 +193,7 @@ def _task_of(trained: str, asked: str | None, run: Path) -> str:
         raise CheckpointError(f"{run} was trained for {', '.join(known)}; say which one to evaluate with --task")
     if asked is not None and asked not in known:
         raise CheckpointError(f"{run} was trained for {', '.join(known)}, not for {asked!r}; name one of these")
-    return asked or known[0]
+    return asked or "".join(known)
 
 
 class _Witness:

@@ -9,10 +9,10 @@ from optimus.errors import UnknownNameError
 from optimus.learn.presets import preset
 from optimus.learn.recipe import Device, TrainConfig, recipe
 
-METHODS = ("OPTIMUS", "BC-MLP", "BC-RNN", "BeT")
+PAPERS: dict[str, str] = {"OPTIMUS": "optimus-30m", "BC-MLP": "bc-mlp", "BC-RNN": "bc-rnn", "BeT": "bet"}
+SMALL: dict[str, str] = {"OPTIMUS": "quick", "BC-MLP": "quick-mlp", "BC-RNN": "quick-rnn", "BeT": "quick-bet"}
+METHODS = tuple(PAPERS)
 """As the paper names them."""
-SMALL = dict(zip(METHODS, ("quick", "quick-mlp", "quick-rnn", "quick-bet"), strict=True))
-PAPERS = dict(zip(METHODS, ("optimus-30m", "bc-mlp", "bc-rnn", "bet"), strict=True))
 
 
 @dataclass(frozen=True)

@@ -28,9 +28,9 @@ def reproduce(site: Site) -> dict[str, Any]:
     for i, cell in enumerate(table.cells):
         site.progress("cells", i, len(table.cells), {"next": cell.name})
         results.append(_filled(site, table, cell))
-        written = _write(site, table, results)
+        _write(site, table, results)
     site.progress("cells", len(table.cells), len(table.cells), {})
-    return written
+    return json.loads((site.out / "results.json").read_text())
 
 
 def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
@@ -52,7 +52,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     return result
 
 
-def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> dict[str, Any]:
+def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
     found = {
         "table": table.name,
         "title": table.title,
@@ -64,4 +64,3 @@ def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> dict[str,
     }
     write_json(site.out / "results.json", found)
     write_table(site.out, found)
-    return found
