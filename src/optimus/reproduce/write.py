@@ -67,22 +67,35 @@ def markdown(found: dict[str, Any]) -> str:
 
 
 def _about(found: dict[str, Any]) -> str:
-    asked, machine = found["asked"], found["machine"]
-    budget = asked["budget"]
-    versions = ", ".join(f"{k} {v}" for k, v in found["versions"].items())
+    """With how much of what it was made, as far as it matters to what was measured."""
+    machine, versions = found["machine"], ", ".join(f"{k} {v}" for k, v in found["versions"].items())
+    timed = any("seconds" in m for _, _, m in lines(found))
+    parts = [
+        *(_of_times(found["asked"]["budget"]) if timed else _of_trials(found["asked"]["budget"], found["asked"]["seed"])),
+        f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}. {versions}.",
+        f"{found['hours']:.2f} hours, that of other work on the machine included.",
+    ]
+    return " ".join(parts) + ("" if found["complete"] else " **Not finished.**")
+
+
+def _of_times(budget: dict[str, Any]) -> list[str]:
+    return [
+        f"Budget `{budget['name']}`: CPU time on one core, {budget['timing_episodes']} problems a task, "
+        f"{10 * budget['timing_rounds']} actions a network (median).",
+        "TAMP plans once and follows its plan, told the state; a network has two 84 x 84 images, whose rendering is not counted.",
+    ]
+
+
+def _of_trials(budget: dict[str, Any], seed: int) -> list[str]:
     trained = f"{budget['steps']} steps" if budget["steps"] is not None else f"{budget['minutes']:g} minutes"
     parts = [
         f"Budget `{budget['name']}`: {budget['demonstrations']} demonstrations a dataset, {trained} of training, "
-        f"{budget['episodes']} trials a policy and condition, {budget['seeds']} training seed(s) from {asked['seed']} on.",
-        f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}. {versions}.",
-        f"{found['hours']:.2f} hours, that of other work on the machine included.",
+        f"{budget['episodes']} trials a policy and condition, {budget['seeds']} training seed(s) from {seed} on.",
         "Strict success; k of n with the Wilson 95 % interval.",
     ]
     if budget["horizon"] is not None:
-        parts.append(
-            f"Trials of policies end after {budget['horizon']} steps: these figures prove the path and say nothing of success."
-        )
-    return " ".join(parts) + ("" if found["complete"] else " **Not finished.**")
+        parts.append(f"Policies' trials end after {budget['horizon']} steps: this proves the path and says nothing of success.")
+    return parts
 
 
 def as_csv(found: dict[str, Any]) -> str:
