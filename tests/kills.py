@@ -145,9 +145,11 @@ def main() -> None:
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         kills = disturb(Path(folder) / "killed", asked.episodes, asked.moments, asked.seed)
+        sys.stdout.write(f"{kills}\n")
+        sys.stdout.flush()
         collect(CollectConfig("stack", Path(folder) / "whole", asked.episodes, workers=1, images=False))
         assert contents(Path(folder) / "killed") == contents(Path(folder) / "whole")
-    sys.stdout.write(f"{kills}\nnothing lost, nothing torn, no orphan; the same bytes as undisturbed\n")
+    sys.stdout.write("nothing lost, nothing torn, no orphan; the same bytes as undisturbed\n")
 
 
 if __name__ == "__main__":
