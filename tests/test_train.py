@@ -67,7 +67,7 @@ class Stop(Exception):
 
 def files_of(run: Path) -> dict[str, dict[str, np.ndarray]]:
     """All tensors of a run."""
-    files = [run / "model.safetensors", *sorted((run / "train_state").glob("*.safetensors"))]
+    files = [run / "model.safetensors", run / "best" / "model.safetensors", *sorted((run / "train_state").glob("*.safetensors"))]
     return {str(file.relative_to(run)): load_file(file) for file in files}
 
 
@@ -82,9 +82,12 @@ def assert_same_bits(run: Path, other: Path) -> None:
 
 def test_a_finished_run_is_complete(uninterrupted: Path, dataset: Path) -> None:
     assert sorted(p.name for p in uninterrupted.iterdir()) == [
+        "README.md",
+        "best",
         "config.json",
         "metrics.jsonl",
         "model.safetensors",
+        "tensorboard",
         "train_state",
     ]
     lines = metrics.read(uninterrupted)

@@ -14,7 +14,7 @@ import torch
 
 from optimus.data.atomic import write_whole
 from optimus.data.curate import load_curation
-from optimus.data.episode import Episode
+from optimus.data.episode import OBJECT_POSITIONS, Episode
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
@@ -130,7 +130,9 @@ def _actors(
     agent = PolicyAgent(run, component)
     inputs = agent.policy.inputs
     name = inputs.task if objects is None else with_objects(inputs.task, objects)
-    return ManipulationEnv(task_named(name), control=inputs.control, robot=trained_robot(run, robot)), agent
+    told = OBJECT_POSITIONS in inputs.proprioception
+    arm = trained_robot(run, robot)
+    return ManipulationEnv(task_named(name), images=not told, control=inputs.control, robot=arm, positions=told), agent
 
 
 class _Witness:

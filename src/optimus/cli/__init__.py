@@ -8,7 +8,9 @@ import sys
 
 import tyro
 
-from optimus.cli.demonstrations import collect, curate
+from optimus.cli.datasets import dataset
+from optimus.cli.demonstrations import collect, curate, imitability
+from optimus.cli.exchange import export, import_
 from optimus.cli.health import doctor
 from optimus.cli.live import view
 from optimus.cli.main_job import run
@@ -16,11 +18,15 @@ from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
 from optimus.cli.output import QUIET
 from optimus.cli.pages import report
-from optimus.cli.policies import evaluate, train
+from optimus.cli.policies import evaluate, export_policy, train
+from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, view, collect, curate, train, evaluate, run, report, bench, doctor)}
+_SEEING = (tasks, objects, show, view)
+_DATA = (collect, render, curate, imitability, dataset, export, import_)
+_LEARNING = (train, evaluate, export_policy, run, report)
+VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA, *_LEARNING, bench, doctor)}
 
 DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
 

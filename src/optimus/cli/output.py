@@ -45,9 +45,11 @@ def table(result: dict[str, Any]) -> str:
 def _rows(value: Any) -> dict[str, Any]:
     """What stands below its own heading, line by line: parts that have parts, and lists of episodes."""
     if isinstance(value, list):
+        if not all(isinstance(row, dict) for row in value):
+            return {}
         return {f"seed {row['seed']}": {k: v for k, v in row.items() if k != "seed"} for row in value}
     nested = isinstance(value, dict) and any(isinstance(part, dict) for part in value.values())
-    return value if nested else {}
+    return dict(value) if nested else {}
 
 
 def _text(value: Any) -> str:
@@ -61,15 +63,15 @@ def _text(value: Any) -> str:
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
-def _new_bar(total: int | None, what: str, unit: str) -> Any:
-    quiet = QUIET in os.environ
+def _new_bar(total: int | None, what: str, unit: str, silent: bool = False) -> Any:
+    quiet = silent or QUIET in os.environ
     return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=quiet)
 
 
 @contextmanager
-def bar(total: int | None, what: str, unit: str) -> Iterator[Any]:
-    """A progress bar."""
-    with _new_bar(total, what, unit) as made:
+def bar(total: int | None, what: str, unit: str, silent: bool = False) -> Iterator[Any]:
+    """A progress bar; none if it is to be silent."""
+    with _new_bar(total, what, unit, silent) as made:
         yield made
 
 
@@ -81,6 +83,16 @@ def counter(bar: Any) -> Callable[[int, int], None]:
             bar.set_postfix(successes=successes)
         bar.n = done
         bar.refresh()
+
+    return progress
+
+
+def counted(bar: Any) -> Callable[[int, int], None]:
+    """Shows `(done, of how many)` on a bar."""
+
+    def progress(done: int, of: int) -> None:
+        bar.total, bar.n = of, done
+        bar.update(0)
 
     return progress
 

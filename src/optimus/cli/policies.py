@@ -1,19 +1,21 @@
-"""`train` and `evaluate`: from a dataset to a policy, and how good it is."""
+"""`train`, `evaluate` and `export-policy`: from a dataset to a policy, how good it is, and on to elsewhere."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import arg
 
-from optimus.cli.options import Dataset, Json, ObjectsName, RobotName, RunFolder, Workers, chosen_robot
+from optimus.cli.options import Datasets, Json, ObjectsName, PresetName, RobotName, RunFolder, Workers, chosen_robot
 from optimus.cli.output import bar, counter, rate, say
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from optimus.evaluate import Start
+    from optimus.learn.recipe import TrainConfig
     from optimus.learn.train import Progress
 
 Episodes = Annotated[int, arg(help="how many to play")]
@@ -21,37 +23,102 @@ ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy t
 
 
 def train(
-    dataset: Dataset,
+    datasets: Datasets,
     out: Path,
     minutes: float = 10.0,
     steps: int | None = None,
     seed: int = 0,
-    corrections: Path | None = None,
+    preset: PresetName = "quick",
+    head: Literal["gmm", "gaussian", "mse", "flow", "bet"] | None = None,
+    observe: Literal["images", "state"] = "images",
+    recipe: Literal["quick", "paper"] | None = None,
+    batch: int | None = None,
+    accumulate: int = 1,
+    ema: float | None = None,
+    precision: Literal["auto", "float32", "bfloat16"] = "auto",
+    device: Literal["auto", "cpu", "cuda"] = "auto",
+    board: Literal["tensorboard", "wandb", "none"] = "tensorboard",
+    corrections: tuple[Path, ...] = (),
     initial: Path | None = None,
     json: Json = False,
 ) -> None:
-    """Train a policy on a dataset by behaviour cloning; a second call goes on where the first was stopped.
+    """Train a policy on one dataset or several by behaviour cloning; a second call goes on where the first was stopped.
 
     Try:
         optimus train data/stack --out runs/stack --minutes 12
+        optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
+        optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
+        torchrun --nproc-per-node 2 -m optimus.cli train data/stack --out runs/stack --steps 5000
 
     Args:
         out: the run's folder
         minutes: time to train for; the learning rate anneals over it
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
-        corrections: a second dataset, from `optimus collect --policy`, to train on as well
+        preset: the network
+        head: what answers, in place of the preset's own
+        observe: see with cameras, or be told the objects' positions (the paper's ablation)
+        recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K); by default the
+            preset's own
+        batch: windows in a step, all processes together, in place of the recipe's
+        accumulate: compute a batch in this many portions, one after the other
+        ema: decay of the running average of the weights that is kept; 0 keeps the newest weights
+        precision: of the convolutions; auto: bfloat16 where the hardware has it
+        device: what to train on; auto: a GPU if there is one
+        board: where the figures can be watched: `tensorboard --logdir OUT`, or Weights & Biases
+        corrections: further datasets, from `optimus collect --policy`, to train on as well
         initial: a run folder whose weights to begin with
     """
-    from optimus.learn.train import TrainConfig
+    from optimus.learn.presets import preset as chosen_preset
+    from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
 
-    _curate_if_needed(dataset)
-    with bar(None, "train", "step") as shown:
-        config = TrainConfig(steps=steps, minutes=minutes, seed=seed)
-        run_train(dataset, out, config, None, _training(shown), corrections, initial)
-    say({"run": str(out)}, json, str(out))
+    chosen = chosen_preset(preset, head, observe)
+    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, accumulate, ema, precision, device)
+    if is_first():
+        for dataset in datasets:
+            _curate_if_needed(dataset)
+    with bar(None, "train", "step", silent=not is_first()) as shown:
+        policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
+    if is_first():
+        count = policy.parameter_count
+        say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the options of `train` say about how."""
+
+    minutes: float
+    steps: int | None
+    seed: int
+    recipe: str
+    batch: int | None
+    accumulate: int
+    ema: float | None
+    precision: str
+    device: Literal["auto", "cpu", "cuda"]
+
+    @property
+    def config(self) -> TrainConfig:
+        """The recipe, with what was asked for in place of its own."""
+        from optimus.learn.recipe import recipe
+
+        base = recipe(self.recipe)
+        loss = base.loss if self.batch is None else replace(base.loss, runs=self.batch)
+        optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
+        return replace(
+            base,
+            steps=base.steps if self.steps is None else self.steps,
+            minutes=self.minutes,
+            seed=self.seed,
+            loss=loss,
+            optimiser=optimiser,
+            accumulate=self.accumulate,
+            half=None if self.precision == "auto" else self.precision == "bfloat16",
+            device=self.device,
+        )
 
 
 def _training(bar: Any) -> Callable[[Progress], None]:
@@ -111,6 +178,7 @@ def evaluate(
     from optimus import evaluate as evaluation
     from optimus.data.atomic import write_json
     from optimus.learn import checkpoint
+    from optimus.learn.card import write_card
 
     trained_for = checkpoint.load(run, task).inputs.task
     arm = evaluation.trained_robot(run, chosen_robot(robot))
@@ -118,9 +186,26 @@ def evaluate(
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
         report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
+    write_card(run)
     if videos is not None:
         evaluation.film_outcomes(run, starts, report, seed, component, videos, arm)
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
+
+
+def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
+    """Write a policy as one ONNX file: an observation in, an action out, crops and normalisation inside.
+
+    Try:
+        optimus export-policy runs/stack --onnx stack.onnx
+
+    Args:
+        onnx: the file to write
+    """
+    from optimus.learn import checkpoint
+    from optimus.learn.onnx_file import export_onnx
+
+    export_onnx(checkpoint.load(run), onnx)
+    say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 
 def _starts(run: Path, states: str, dataset: Path | None, episodes: int, seed: int, objects: str | None) -> list[Start]:

@@ -19,7 +19,10 @@ def tasks(json: Json = False) -> None:
     from optimus.tasks import task as task_named
 
     all_tasks = [task_named(name) for name in TASKS]
-    rows = [{"name": t.name, "summary": t.summary, "horizon": t.horizon, "gym": gym_id(t.name)} for t in all_tasks]
+    rows = [
+        {"name": t.name, "summary": t.summary, "instruction": t.problem(0).instruction, "horizon": t.horizon, "gym": gym_id(t.name)}
+        for t in all_tasks
+    ]
     width = max(len(name) for name in TASKS)
     say({"tasks": rows}, json, "\n".join(f"{r['name']:<{width}} {r['summary']}  [{r['gym']}]" for r in rows))
 

@@ -1,8 +1,7 @@
 """Windows of consecutive frames for training, cut from the episode files themselves.
 
-Images stay on disk as uint8 and are mapped into memory: a crop is copied out of the map, nothing is decoded,
-and the operating system's page cache is the only cache. Low-dimensional arrays are small and are held in
-memory.
+Images stay on disk as uint8, and only what is asked for is read (`frames.py`). Low-dimensional arrays are small and are held
+in memory.
 
 The unit of sampling is a *run*: `windows` consecutive windows of `context` frames each, which share their
 frames, so that `windows + context - 1` frames are encoded once and not `windows * context`.
@@ -17,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
@@ -37,6 +37,10 @@ class WindowConfig:
     """Weight of the labels near an opening or closing of the gripper; all others weigh 1."""
     change_reach: int = 2
     """How many steps before and after such a change count as near."""
+    ahead: int = 0
+    """Labels of the steps after a frame that are given with its own."""
+    images: bool = True
+    """Cut from the images; if not, the objects' positions are given with the proprioception instead."""
 
     @property
     def frames(self) -> int:
@@ -59,14 +63,16 @@ class Batch:
     weight: NDArray[np.float32]
     """`(B, F)`: weight of each label; 0 where the frame only repeats the first one of its episode."""
     objects: NDArray[np.float32]
-    """`(B, F, k, 3)` [m]."""
+    """`(B, F, k, 3)` [m]; NaN for those that the scene of an episode does not have."""
+    ahead: NDArray[np.float32]
+    """`(B, F, ahead, n)`: the labels of the steps after each frame; after the last step, its own again."""
 
 
 @dataclass(frozen=True, eq=False)
-class _Track:
-    """One episode: image maps and arrays."""
+class Track:
+    """One episode: where its images are, and arrays."""
 
-    images: dict[str, NDArray[np.uint8]]
+    images: dict[str, Frames]
     proprioception: dict[str, NDArray[np.float32]]
     actions: NDArray[np.float32]
     weight: NDArray[np.float32]
@@ -82,100 +88,124 @@ class Windows:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
-        self.cameras, self.control, self.robot = store.cameras, store.control, store.robot
+        self.cameras, self.control, self.robot = store.cameras if config.images else (), store.control, store.robot
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
-        self._tracks = [_track(header, store.cameras, config) for header in headers]
+        objects = max(header.arrays["objects"].shape[1] for header in headers)
+        self.tracks = tuple(_track(header, self.cameras, config, objects) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them.
-        self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self._tracks])
+        self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self.tracks])
 
     def __len__(self) -> int:
         """The number of different runs."""
         return int(self._ends[-1])
 
     @property
+    def frame_shapes(self) -> dict[str, tuple[int, int]]:
+        """Height and width of the images, by camera."""
+        return {camera: (images.shape[1], images.shape[2]) for camera, images in self.tracks[0].images.items()}
+
+    @property
     def labels(self) -> int:
         """The number of actions in all episodes."""
-        return sum(len(t.actions) for t in self._tracks)
+        return sum(len(t.actions) for t in self.tracks)
 
     @property
     def actions(self) -> NDArray[np.float32]:
         """All labels, `(labels, n)`."""
-        return np.concatenate([t.actions for t in self._tracks])
+        return np.concatenate([t.actions for t in self.tracks])
 
     @property
     def objects(self) -> NDArray[np.float32]:
-        """All positions of objects [m], `(labels, k, 3)`."""
-        return np.concatenate([t.objects for t in self._tracks])
+        """All positions of objects [m], `(labels, k, 3)`; NaN where an episode has fewer."""
+        return np.concatenate([t.objects for t in self.tracks])
 
     @property
     def proprioception(self) -> dict[str, NDArray[np.float32]]:
         """All low-dimensional observations, name -> `(labels, n)`."""
-        names = self._tracks[0].proprioception
-        return {name: np.concatenate([t.proprioception[name] for t in self._tracks]) for name in names}
+        names = self.tracks[0].proprioception
+        return {name: np.concatenate([t.proprioception[name] for t in self.tracks]) for name in names}
 
     def sample(self, rng: np.random.Generator, runs: int) -> Batch:
         """Runs drawn uniformly, each cropped anywhere (one offset per run and camera)."""
         indices = rng.integers(len(self), size=runs)
         return self.batch(indices, rng)
 
+    def offsets(self, runs: int, rng: np.random.Generator | None = None) -> dict[str, NDArray[np.int64]]:
+        """Camera name -> upper left corners of crops `(runs, 2)` [pixels], row and column; in the centre if there is no `rng`."""
+        rooms = {camera: np.asarray(shape) - self.config.crop for camera, shape in self.frame_shapes.items()}
+        if rng is None:
+            return {camera: np.tile(room // 2, (runs, 1)) for camera, room in rooms.items()}
+        return {camera: rng.integers(room + 1, size=(runs, 2)) for camera, room in rooms.items()}
+
+    def shifts(self, offsets: dict[str, NDArray[np.int64]]) -> dict[str, NDArray[np.float32]]:
+        """How far right and down of the centre such crops are; see `Batch`."""
+        side, shapes = self.config.crop, self.frame_shapes
+        centres = {camera: (np.asarray(shapes[camera]) - side) // 2 for camera in offsets}
+        return {c: ((o - centres[c])[:, ::-1] / (side / 2)).astype(np.float32) for c, o in offsets.items()}
+
     def batch(self, indices: NDArray[np.integer[Any]] | Sequence[int], rng: np.random.Generator | None = None) -> Batch:
         """The runs of these indices; cropped in the centre if there is no `rng`."""
-        places = [self._place(int(i)) for i in indices]
-        side = self.config.crop
-        images, shifts = {}, {}
+        places = [(self.tracks[number], frames) for number, frames in map(self.place, indices)]
+        side, offsets = self.config.crop, self.offsets(len(indices), rng)
+        images = {}
         for camera in self.cameras:
-            room = np.asarray(self._tracks[0].images[camera].shape[1:3]) - side
-            offsets = np.tile(room // 2, (len(places), 1)) if rng is None else rng.integers(room + 1, size=(len(places), 2))
             out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
-            for run, (track, frames), (top, left) in zip(out, places, offsets, strict=True):
-                _copy(run, track.images[camera][:, top : top + side, left : left + side], frames)
+            for run, (track, frames), corner in zip(out, places, offsets[camera], strict=True):
+                _copy(run, track.images[camera], corner, frames)
             images[camera] = out
-            shifts[camera] = ((offsets - room // 2)[:, ::-1] / (side / 2)).astype(np.float32)
         weight = np.stack([np.where(frames < 0, 0, track.weight[frames.clip(0)]) for track, frames in places])
-        names = self._tracks[0].proprioception
+        names = self.tracks[0].proprioception
         return Batch(
             images=images,
-            shifts=shifts,
+            shifts=self.shifts(offsets),
             proprioception={n: np.stack([t.proprioception[n][f.clip(0)] for t, f in places]) for n in names},
             actions=np.stack([track.actions[frames.clip(0)] for track, frames in places]),
             weight=weight.astype(np.float32),
             objects=np.stack([track.objects[frames.clip(0)] for track, frames in places]),
+            ahead=np.stack([_ahead(track.actions, frames, self.config.ahead) for track, frames in places]),
         )
 
-    def _place(self, index: int) -> tuple[_Track, NDArray[np.int64]]:
-        """The episode of a run and its frames, some of them negative: those repeat the first frame."""
+    def place(self, index: int | np.integer[Any]) -> tuple[int, NDArray[np.int64]]:
+        """The number of the track of a run and its frames, some of them negative: those repeat the first frame."""
         number = int(np.searchsorted(self._ends, index, side="right"))
-        track = self._tracks[number]
-        last = len(track.actions) - 1
-        end = last - (int(self._ends[number]) - 1 - index)
-        return track, np.arange(end - self.config.frames + 1, end + 1)
+        last = len(self.tracks[number].actions) - 1
+        end = last - (int(self._ends[number]) - 1 - int(index))
+        return number, np.arange(end - self.config.frames + 1, end + 1)
 
 
-def _copy(out: NDArray[np.uint8], source: NDArray[np.uint8], frames: NDArray[np.int64]) -> None:
-    """`out[i] = source[max(frames[i], 0)]` for consecutive frames, in one copy where they are inside."""
+def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any]], frames: NDArray[np.int64]) -> None:
+    """`out[i]` becomes the crop at `corner` of frame `max(frames[i], 0)`, for consecutive frames."""
     before = min(max(-int(frames[0]), 0), len(frames) - 1)
-    first = int(frames[0]) + before
-    out[before:] = source[first : first + len(frames) - before]
+    source.crop(out[before:], int(frames[0]) + before, corner)
     if before:
-        out[:before] = source[0]
+        out[:before] = out[before]
 
 
-def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig) -> _Track:
+def _ahead(actions: NDArray[np.float32], frames: NDArray[np.int64], count: int) -> NDArray[np.float32]:
+    """`(F, count, n)`: the labels of the steps after each of some frames."""
+    return actions[(frames.clip(0)[:, None] + np.arange(1, count + 1)).clip(max=len(actions) - 1)]
+
+
+def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int) -> Track:
     images = {}
     for camera in cameras:
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}")
-        images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
-    names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]
+        images[camera] = Frames(header.path, slot)
+    names = [n for n in header.observation_names if len(header.arrays[OBSERVATION_PREFIX + n].shape) == 2]
     low = {name: header.read(OBSERVATION_PREFIX + name) for name in names}
-    actions, objects = header.read("actions"), header.read("objects")
-    for name, array in {**low, "actions": actions, "objects": objects}.items():
+    actions, places = header.read("actions"), header.read("objects")
+    for name, array in {**low, "actions": actions, "objects": places}.items():
         require_finite(array, header.path, name)
+    places = np.pad(places, ((0, 0), (0, objects - places.shape[1]), (0, 0)), constant_values=np.nan)
     proprioception = {name: array.astype(np.float32) for name, array in low.items()}
-    return _Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), objects)
+    if not config.images:
+        # a thing that a scene does not have is at the origin to who is told where things are
+        proprioception[OBJECT_POSITIONS] = np.nan_to_num(places.reshape(len(places), -1))
+    return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places)
 
 
 def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray[np.float32]:
@@ -186,15 +216,24 @@ def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray
     return weight
 
 
+_NOT_CUT = {"initial_state", "states"}
+"""What windows have no use for."""
+
+
 def _require_same_shapes(headers: list[EpisodeHeader]) -> None:
-    """All episodes have the same arrays, of the same shapes but for the number of steps."""
-    first = headers[0]
-    expected = {n: s.shape[1:] for n, s in first.arrays.items() if n != "initial_state"}
+    """All episodes have the same arrays, of the same shapes but for the number of steps; other tasks may have other objects."""
+    like = {header.task: header for header in reversed(headers)}
     for header in headers:
-        shapes = {n: s.shape[1:] for n, s in header.arrays.items() if n != "initial_state"}
-        for name in sorted(expected.keys() | shapes.keys()):
-            if expected.get(name) != shapes.get(name):
-                raise DatasetError(
-                    f"{header.path}: {name} has shape {shapes.get(name)} a step, "
-                    f"in {first.path.name} it has {expected.get(name)}; collect these apart"
-                )
+        for first, free in ((headers[0], {*_NOT_CUT, "objects"}), (like[header.task], _NOT_CUT)):
+            expected, shapes = _step_shapes(first, free), _step_shapes(header, free)
+            for name in sorted(expected.keys() | shapes.keys()):
+                if expected.get(name) != shapes.get(name):
+                    raise DatasetError(
+                        f"{header.path}: {name} has shape {shapes.get(name)} a step, "
+                        f"in {first.path.name} it has {expected.get(name)}; collect these apart"
+                    )
+
+
+def _step_shapes(header: EpisodeHeader, free: set[str]) -> dict[str, tuple[int, ...]]:
+    """The shape of a step of every array but those that are `free`."""
+    return {name: slot.shape[1:] for name, slot in header.arrays.items() if name not in free}

@@ -6,7 +6,7 @@ Plain JSON and safetensors only: loading one never runs code from the file.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from safetensors.torch import load as parse
 from safetensors.torch import save as serialise
 from torch import Tensor
 
-from optimus.data.atomic import write_json, write_whole
+from optimus.data.atomic import make_folder, write_json, write_whole
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.errors import CheckpointError
 from optimus.learn.policy import Policy
@@ -25,6 +25,33 @@ RUN_FORMAT = "optimus-run"
 VERSION = 1
 CONFIG_FILE = "config.json"
 MODEL_FILE = "model.safetensors"
+BEST_FOLDER = "best"
+"""In a run's folder: the policy of the lowest held-out action error so far, a run folder to load from like any other."""
+
+
+def joint_task(tasks: Iterable[str]) -> str:
+    """The name under which a policy of several tasks is recorded."""
+    return "+".join(dict.fromkeys(tasks))
+
+
+def tasks_of(joint: str) -> tuple[str, ...]:
+    """The inverse of `joint_task`."""
+    return tuple(joint.split("+"))
+
+
+def save_best(run: Path, policy: Policy, step: int, error: float) -> None:
+    """Keep this policy as the best so far."""
+    folder = run / BEST_FOLDER
+    make_folder(folder)
+    save(folder, policy)
+    write_config(folder, {**read_config(run), "best": {"step": step, "held_out_action_error": error}})
+
+
+def best_step(run: Path) -> int | None:
+    """The step of the best policy that is kept; None if there is none."""
+    if not (run / BEST_FOLDER / CONFIG_FILE).exists():
+        return None
+    return int(read_config(run / BEST_FOLDER)["best"]["step"])
 
 
 def write_config(run: Path, config: Mapping[str, Any]) -> None:
@@ -62,8 +89,9 @@ def load(run: Path | str, task: str | None = None, control: str | None = None, r
     config = read_config(run)
     inputs = {"control": OSC, "robot": TASKS_OWN, **config.get("inputs", {})}
     for what, wanted in (("task", task), ("control", control), ("robot", robot)):
-        if wanted not in (None, inputs.get(what)):
-            raise CheckpointError(f"{run} was trained for {what} {inputs.get(what)!r}, not {wanted!r}; name a run of {wanted!r}")
+        have = inputs.get(what)
+        if wanted is not None and wanted != have and not (what == "task" and wanted in tasks_of(str(have))):
+            raise CheckpointError(f"{run} was trained for {what} {have!r}, not {wanted!r}; name a run of {wanted!r}")
     try:
         policy = Policy.from_description(config)
     except (KeyError, TypeError, ValueError) as error:

@@ -7,19 +7,25 @@ a step come from generators seeded with the seed, the step and the shard.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
-from optimus.data.windows import Batch, WindowConfig, Windows
+from optimus.data.windows import Batch, WindowConfig
+from optimus.errors import OptimusError
+from optimus.learn.batches import BatchSource, TensorBatch, on_device
 from optimus.learn.policy import Policy
+from optimus.learn.ranks import Ranks
 from optimus.workers import available_cores
+
+
+class BatchError(OptimusError):
+    """A batch that cannot be shared out as asked."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +33,20 @@ class Runtime:
     """How steps are computed. It decides their rounding, so it is settled once and recorded with the run."""
 
     shards: int
-    """Parts that a batch is split into, each computed by one thread."""
+    """Threads of each process, each of which computes a part of its own."""
     half: bool
     """Whether the convolutions run in bfloat16."""
+    accumulate: int = 1
+    """Portions that each process computes one after the other."""
+    processes: int = 1
+    """Processes that a batch is split over."""
+    device: str = "cpu"
+    """What computes: `cpu` or `cuda`."""
+
+    @property
+    def parts(self) -> int:
+        """Parts that a batch is made of; each is drawn by itself, whoever computes it."""
+        return self.shards * self.accumulate * self.processes
 
 
 @dataclass(frozen=True)
@@ -61,13 +78,20 @@ class StepLoss:
 
 
 class GradientWorkers:
-    """Computes gradients for one policy, its batch split over threads.
+    """Computes gradients for one policy, its batch split over threads, portions in turn, and processes.
 
     Two threads with half a batch each are faster than one batch whose every operation is split in two: small
     operations do not scale, and the GIL is free while they run.
     """
 
-    def __init__(self, policy: Policy, windows: Windows, config: LossConfig, runtime: Runtime, seed: int) -> None:
+    def __init__(
+        self, policy: Policy, windows: BatchSource, config: LossConfig, runtime: Runtime, seed: int, ranks: Ranks | None = None
+    ) -> None:
+        if runtime.parts > config.runs:
+            raise BatchError(
+                f"a batch of {config.runs} cannot be split into {runtime.parts} parts ({runtime.shards} threads x "
+                f"{runtime.accumulate} portions x {runtime.processes} processes); use a larger batch or fewer portions"
+            )
         self.policy, self.windows, self.config, self.runtime, self.seed = (
             policy,
             windows,
@@ -75,6 +99,7 @@ class GradientWorkers:
             runtime,
             seed,
         )
+        self.ranks = ranks or Ranks()
         self.parameters = [p for p in policy.parameters() if p.requires_grad]
         self._threads = ThreadPoolExecutor(runtime.shards, "gradient", initializer=_one_thread_each)
 
@@ -83,43 +108,62 @@ class GradientWorkers:
         self._threads.shutdown()
 
     def gradient(self, step: int) -> tuple[StepLoss, list[Tensor]]:
-        """Loss and gradient at the current weights, on the batch of this step."""
-        shards = self.runtime.shards
-        parts = list(self._threads.map(lambda shard: self._shard(step, shard), range(shards)))
-        total = [torch.stack(pieces).mean(0) if shards > 1 else pieces[0] for pieces in zip(*(g for _, g in parts), strict=True)]
-        likelihood, location = (float(np.mean(v)) for v in zip(*(values for values, _ in parts), strict=True))
+        """Loss and gradient at the current weights, on the batch of this step: the same in every process."""
+        share = self.runtime.accumulate
+        first = self.ranks.rank * share
+        losses, total = self._portion(step, first)
+        for portion in range(first + 1, first + share):
+            more, pieces = self._portion(step, portion)
+            losses = losses + more
+            for mine, piece in zip(total, pieces, strict=True):
+                mine.add_(piece)
+        if share > 1:
+            losses = losses / share
+            for mine in total:
+                mine.div_(share)
+        self.ranks.average([losses, *total])
+        likelihood, location = losses.tolist()
         return StepLoss(likelihood, location), total
 
-    def _shard(self, step: int, shard: int) -> tuple[tuple[float, float], tuple[Tensor, ...]]:
-        runs = len(range(shard, self.config.runs, self.runtime.shards))
-        batch = self.windows.sample(np.random.default_rng([self.seed, step, shard]), runs)
-        noise = torch.Generator().manual_seed(int(np.random.SeedSequence([self.seed, step, shard]).generate_state(1)[0]))
+    def _portion(self, step: int, portion: int) -> tuple[Tensor, list[Tensor]]:
+        """Mean losses `(2,)` and gradient over the parts that the threads compute at once."""
+        shards = self.runtime.shards
+        parts = list(self._threads.map(lambda shard: self._part(step, portion * shards + shard), range(shards)))
+        total = [torch.stack(pieces).mean(0) if shards > 1 else pieces[0] for pieces in zip(*(g for _, g in parts), strict=True)]
+        return torch.stack([losses for losses, _ in parts]).mean(0), total
+
+    def _part(self, step: int, part: int) -> tuple[Tensor, tuple[Tensor, ...]]:
+        device = self.parameters[0].device
+        runs = len(range(part, self.config.runs, self.runtime.parts))
+        batch = self.windows.sample(np.random.default_rng([self.seed, step, part]), runs)
+        noise = torch.Generator(device).manual_seed(int(np.random.SeedSequence([self.seed, step, part]).generate_state(1)[0]))
         likelihood, location = batch_loss(self.policy, batch, self.config, noise, self.runtime.half)
         loss = likelihood + self.config.location_weight * location
         gradient = torch.autograd.grad(loss, self.parameters, materialize_grads=True)
-        return (float(likelihood.detach()), float(location.detach())), gradient
+        return torch.stack([likelihood.detach(), location.detach()]).double(), gradient
 
 
 def batch_loss(
-    policy: Policy, batch: Batch, config: LossConfig, noise: torch.Generator | None, half: bool
+    policy: Policy, batch: Batch | TensorBatch, config: LossConfig, noise: torch.Generator | None, half: bool
 ) -> tuple[Tensor, Tensor]:
-    """Mean negative log-likelihood of a batch's labels, and mean error of its objects' positions."""
-    images, proprioception = tensors(batch.images), tensors(batch.proprioception)
+    """Mean loss of the head over a batch's labels (of a mixture: negative log-likelihood), and mean error of its objects'
+    positions."""
+    seen = on_device(batch, policy.action_scale.device)
     # One crop for a run of frames.
-    count = batch.actions.shape[1]
-    shifts = {name: shift[:, None].expand(-1, count, -1) for name, shift in tensors(batch.shifts).items()}
-    frames = policy.frames(images, proprioception, shifts, half)
+    count = seen.actions.shape[1]
+    shifts = {name: shift[:, None].expand(-1, count, -1) for name, shift in seen.shifts.items()}
+    frames = policy.frames(seen.images, seen.proprioception, shifts, half)
     context = policy.config.context
     features = policy.features(windows_of(policy.tokens(frames), context).flatten(0, 1), noise)
-    actions = windows_of(torch.from_numpy(batch.actions), context).flatten(0, 1)
-    weight = windows_of(torch.from_numpy(batch.weight), context).flatten(0, 1)
+    actions = windows_of(seen.labels, context).flatten(0, 1)
+    weight = windows_of(seen.weight, context).flatten(0, 1)
     if config.supervise == "last":
         features, actions, weight = features[:, -1:], actions[:, -1:], weight[:, -1:]
-    loss = policy.head.loss(features, policy.normalise(actions))
+    loss = policy.head.loss(features, policy.normalise(actions), noise)
     likelihood = (loss * weight).sum() / weight.sum().clamp(min=1)
-    if config.location_weight == 0:
-        return likelihood, torch.zeros(())
-    return likelihood, policy.location_error(frames, torch.from_numpy(batch.objects)).mean()
+    if config.location_weight == 0 or not policy.locates:
+        return likelihood, torch.zeros_like(likelihood)
+    return likelihood, policy.location_error(frames, seen.objects).mean()
 
 
 def windows_of(frames: Tensor, context: int) -> Tensor:
@@ -128,27 +172,25 @@ def windows_of(frames: Tensor, context: int) -> Tensor:
     return windows.movedim(-1, 2)
 
 
-def tensors(arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Tensor]:
-    """The same arrays, as tensors."""
-    return {name: torch.from_numpy(array) for name, array in arrays.items()}
+def candidate_runtimes(usual: Runtime) -> list[Runtime]:
+    """One thread and as many as `usual` has, in float32 and in bfloat16."""
+    return [replace(usual, shards=n, half=half) for n in sorted({1, usual.shards}) for half in (False, True)]
 
 
-def candidate_runtimes(runs: int) -> list[Runtime]:
-    """One thread and all cores, in float32 and in bfloat16."""
-    cores = min(available_cores(), runs)
-    return [Runtime(shards, half) for shards in sorted({1, cores}) for half in (False, True)]
-
-
-def usual_runtime(runs: int) -> Runtime:
+def usual_runtime(runs: int, device: str = "cpu", accumulate: int = 1, ranks: Ranks | None = None) -> Runtime:
     """What a budget in steps runs with unless told otherwise: a function of the machine, not of a clock, so that two runs
     of the same command end with the same weights."""
-    cores = min(available_cores(), runs)
+    ranks = ranks or Ranks()
+    if device == "cuda":
+        return Runtime(1, torch.cuda.is_bf16_supported(), accumulate, ranks.count, device)
+    cores = available_cores() // ranks.on_this_machine
     able = torch.cpu.get_capabilities()
-    return Runtime(cores, half=bool(able.get("avx512_bf16") or able.get("amx_bf16")))
+    half = bool(able.get("avx512_bf16") or able.get("amx_bf16"))
+    return Runtime(max(1, min(cores, runs // (accumulate * ranks.count))), half, accumulate, ranks.count, device)
 
 
 def fastest_runtime(
-    policy: Policy, windows: Windows, config: LossConfig, seed: int, candidates: Sequence[Runtime]
+    policy: Policy, windows: BatchSource, config: LossConfig, seed: int, candidates: Sequence[Runtime]
 ) -> tuple[Runtime, float]:
     """Time the candidates on real gradients, taking no step; the fastest, and its seconds a step."""
     seconds = {}

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from optimus.data.episode import GRIPPER
 from optimus.data.windows import Windows
-from optimus.learn.gradient import tensors
+from optimus.learn.batches import on_device
 from optimus.learn.policy import Policy
 
 _RUNS_AT_ONCE = 32
@@ -18,12 +18,12 @@ _RUNS_AT_ONCE = 32
 
 @torch.inference_mode()
 def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float | None = None) -> dict[str, float]:
-    """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
+    """Errors of the likeliest answer at the last frame of evenly spread windows, centre crop.
 
     `action_error`: mean distance in position (under joint control: of the joints), in units of the action;
     `action_error_mm`: the same [mm] if the action's scale [m] is known; `gripper_right`: share of gripper answers
-    with the label's sign; `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer,
-    if the policy was taught it.
+    with the label's sign; `likelihood`: mean loss of the head (of a mixture: negative log-likelihood); `location_error_mm`: mean
+    distance of the auxiliary answer, if the policy has one.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]
@@ -34,21 +34,22 @@ def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float 
 
 
 def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, Tensor]:
-    batch = windows.batch(indices)
-    frames = policy.frames(tensors(batch.images), tensors(batch.proprioception))
+    batch = on_device(windows.batch(indices), policy.action_scale.device)
+    frames = policy.frames(batch.images, batch.proprioception)
     context = policy.config.context
     features = policy.features(policy.tokens(frames[:, -context:]))[:, -1]
-    label = torch.from_numpy(batch.actions[:, -1])
-    mixture = policy.mixture(features)
-    answer = policy.denormalise(mixture.likeliest())
+    label = batch.actions[:, -1]
+    answer = policy.denormalise(policy.answers(features).likeliest())
+    answer = answer if answer.ndim == 2 else answer[:, 0]
     distance: Callable[[Tensor], Tensor] = lambda x: torch.linalg.vector_norm(x, dim=-1)  # noqa: E731
-    seen = frames[:, -1]
-    place = policy.located(seen) * policy.objects_deviation + policy.objects_mean
-    objects = torch.from_numpy(batch.objects[:, -1])
     arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
-    return {
+    errors = {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
-        "likelihood": -mixture.log_density(policy.normalise(label)),
-        "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).mean(-1),
+        "likelihood": policy.head.loss(features, policy.normalise(batch.labels[:, -1])),
     }
+    if policy.locates:
+        place = policy.located(frames[:, -1]) * policy.objects_deviation + policy.objects_mean
+        off = place.unflatten(-1, (-1, 3)) - batch.objects[:, -1]
+        errors["location_error_mm"] = 1000 * distance(off).nanmean(-1)
+    return errors

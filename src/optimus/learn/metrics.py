@@ -38,3 +38,9 @@ def forget_after(run: Path, step: int) -> None:
     if (run / METRICS_FILE).exists():
         kept = [json.dumps(line) + "\n" for line in read(run) if line["step"] <= step]
         write_whole(run / METRICS_FILE, "".join(kept).encode())
+
+
+def lowest(run: Path, name: str) -> dict[str, float] | None:
+    """The line with the lowest value of that name, the first of them; None if no line has one."""
+    measured = [line for line in read(run) if name in line]
+    return min(measured, key=lambda line: line[name], default=None)

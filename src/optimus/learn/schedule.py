@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 
 @dataclass(frozen=True)
@@ -30,14 +31,19 @@ class StepPlan:
 
 @dataclass(frozen=True)
 class RateConfig:
-    """A cosine from `first` to `last`, after a linear rise."""
+    """From `first` to `last`, along a cosine or a line, after a linear rise."""
 
     first: float = 1.5e-3
     last: float = 1e-4
     warm_up: int = 50
     """Steps of the rise."""
+    shape: Literal["cosine", "linear"] = "cosine"
+    over: int | None = None
+    """Steps from `first` to `last`, after which the rate stays; if none, all that there are."""
 
     def at(self, step: int, progress: float) -> float:
-        """The learning rate of the step after `step` others."""
+        """The learning rate of the step after `step` others, at that progress of the plan (0 to 1)."""
+        way = progress if self.over is None else min(1.0, step / self.over)
+        left = 1 - way if self.shape == "linear" else 0.5 * (1 + math.cos(math.pi * way))
         rise = min(1.0, (step + 1) / max(1, self.warm_up))
-        return rise * (self.last + 0.5 * (self.first - self.last) * (1 + math.cos(math.pi * progress)))
+        return rise * (self.last + left * (self.first - self.last))

@@ -22,6 +22,7 @@ from optimus.data.atomic import make_folder, remove_leftovers, write_whole
 from optimus.errors import CheckpointError
 from optimus.learn.checkpoint import contiguous, load_weights, read_tensors
 from optimus.learn.policy import Policy
+from optimus.learn.ranks import Ranks
 from optimus.learn.schedule import StepPlan
 
 _NAME = re.compile(r"(\d{8,})\.safetensors")
@@ -34,12 +35,15 @@ class OptimiserConfig:
     """AdamW, clipped, with a running average of the weights."""
 
     weight_decay: float = 0.01
-    """On matrices and convolutions only."""
+    """On matrices and convolutions only, unless `decay_all`."""
+    decay_all: bool = False
     clip: float = 1.0
     """Largest norm of the gradient: of what looks (encoders, locator) and of what acts, each by itself. The likelihood's
     gradient varies by orders of magnitude; clipped together, it would drown what little the eyes are taught."""
+    clip_apart: bool = True
+    """False: of the whole gradient at once."""
     average: float = 0.995
-    """Decay of the running average, which is the policy that is kept."""
+    """Decay of the running average, which is the policy that is kept; 0 keeps the newest weights."""
 
 
 class TrainState:
@@ -51,16 +55,12 @@ class TrainState:
         self.step, self.seconds = 0, 0.0
         self._parameters = [p for p in policy.parameters() if p.requires_grad]
         looks = {id(p) for part in (policy.encoders, policy.locate) for p in part.parameters()}
-        self._clipped = (
-            [p for p in self._parameters if id(p) in looks],
-            [p for p in self._parameters if id(p) not in looks],
-        )
-        matrices = [p for p in self._parameters if p.ndim >= 2]
-        vectors = [p for p in self._parameters if p.ndim < 2]
-        groups = [
-            {"params": matrices, "weight_decay": config.weight_decay},
-            {"params": vectors, "weight_decay": 0.0},
-        ]
+        acts = [p for p in self._parameters if id(p) not in looks]
+        together = [p for p in self._parameters if id(p) in looks]
+        self._clipped = [part for part in (together, acts) if part] if config.clip_apart else [self._parameters]
+        matrices = [p for p in self._parameters if p.ndim >= 2 or config.decay_all]
+        vectors = [p for p in self._parameters if p.ndim < 2 and not config.decay_all]
+        groups = [{"params": matrices, "weight_decay": config.weight_decay}, {"params": vectors, "weight_decay": 0.0}]
         # Never `fused=True`: on a CPU it pairs weights and gradients by their place in memory, and a channels-last convolution
         # whose gradient is not channels last is moved in scrambled directions, without a word (PyTorch 2.13).
         self.optimiser = torch.optim.AdamW(groups, foreach=True)
@@ -84,8 +84,7 @@ class TrainState:
     def save(self, folder: Path) -> None:
         """Write the state, then delete the older ones."""
         make_folder(folder)
-        facts = {"step": self.step, "seconds": self.seconds, "plan": asdict(self.plan)}
-        payload = serialise(contiguous(self._tensors()), {"format": _FORMAT, "state": json.dumps(facts)})
+        payload = serialise(contiguous(self._tensors()), {"format": _FORMAT, "state": json.dumps(self._facts())})
         newest = folder / f"{self.step:08d}.safetensors"
         write_whole(newest, payload)
         for path in folder.iterdir():
@@ -105,9 +104,22 @@ class TrainState:
         load_weights(self.policy, _part(tensors, "raw."), file)
         load_weights(self.average, _part(tensors, "average."), file)
         self._load_moments(_part(tensors, "moments."), file, int(facts["step"]))
+        self._take_facts(facts)
+        return True
+
+    def share(self, ranks: Ranks) -> None:
+        """Take over the state of the first of several processes."""
+        facts, tensors = ranks.agree(self._facts()), self._tensors()
+        ranks.take_firsts(tensors.values())
+        self._load_moments(_part(tensors, "moments."), Path("rank 0"), int(facts["step"]))
+        self._take_facts(facts)
+
+    def _facts(self) -> dict[str, Any]:
+        return {"step": self.step, "seconds": self.seconds, "plan": asdict(self.plan)}
+
+    def _take_facts(self, facts: dict[str, Any]) -> None:
         self.step, self.seconds = int(facts["step"]), float(facts["seconds"])
         self.plan = StepPlan(**facts["plan"])
-        return True
 
     def _tensors(self) -> dict[str, Tensor]:
         tensors = {f"raw.{name}": value for name, value in self.policy.state_dict().items()}

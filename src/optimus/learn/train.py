@@ -1,12 +1,14 @@
-"""Behaviour cloning: a curated dataset to a trained policy, within a number of steps or of minutes.
+"""Behaviour cloning: curated datasets to a trained policy, within a number of steps or of minutes.
 
     RUN/config.json          what is trained, on what, how; versions; the runtime and steps that were settled
     RUN/model.safetensors    the policy: the running average of the weights, normalisation included
+    RUN/best/                the same of the step with the lowest held-out action error
     RUN/train_state/         what training goes on from
     RUN/metrics.jsonl        one line a report: loss, rate, labels a second, held-out errors
+    RUN/tensorboard/         the same for TensorBoard
 
 A run that was killed goes on where its last checkpoint was; with a budget in steps it ends with the very same
-weights.
+weights. Started by `torchrun`, several processes train one policy.
 """
 
 from __future__ import annotations
@@ -14,62 +16,36 @@ from __future__ import annotations
 import json
 import math
 import time
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import torch
 
 from optimus.data.atomic import make_folder
-from optimus.data.curate import load_curation
-from optimus.data.episode_file import EpisodeHeader
-from optimus.data.store import EpisodeStore, installed_versions
-from optimus.data.windows import WindowConfig, Windows
-from optimus.errors import CheckpointError, DatasetError, OptimusError
+from optimus.data.store import installed_versions
+from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
-from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
+from optimus.learn.batches import source_on
+from optimus.learn.board import Board, BoardName, board, require_board
+from optimus.learn.card import write_card
+from optimus.learn.gradient import GradientWorkers, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
 from optimus.learn.heldout import held_out
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
-from optimus.learn.schedule import RateConfig, StepPlan
-from optimus.learn.state import OptimiserConfig, TrainState
+from optimus.learn.ranks import Ranks, joined
+from optimus.learn.recipe import TrainConfig
+from optimus.learn.schedule import StepPlan
+from optimus.learn.sources import Lessons, Sources
+from optimus.learn.state import TrainState
 
 STATE_FOLDER = "train_state"
-POSITION_SCALE = "position_scale"
-"""Key of a dataset's configuration: metres that a position action of 1 stands for."""
 _REPORTS = 200  # lines of metrics over a run
+_ERROR = "held_out_action_error"  # decides which policy is the best
 
 
 class TrainingError(OptimusError):
     """A training run that cannot go on."""
-
-
-@dataclass(frozen=True)
-class TrainConfig:
-    """How a policy is trained."""
-
-    steps: int | None = None
-    """Number of steps; if none, `minutes` decides."""
-    minutes: float = 10.0
-    """Time to train for, start-up included."""
-    seed: int = 0
-    windows: int = 1
-    """Consecutive windows in a run."""
-    change_weight: float = 1.0
-    """Weight of labels near a change of the gripper."""
-    change_reach: int = 2
-    """Steps before and after such a change that count as near."""
-    loss: LossConfig = field(default_factory=LossConfig)
-    rate: RateConfig = field(default_factory=RateConfig)
-    optimiser: OptimiserConfig = field(default_factory=OptimiserConfig)
-    evaluations: int = 10
-    """How often the held-out error is measured."""
-    held_out_runs: int = 256
-    """Windows that it is measured on."""
-    checkpoint_seconds: float = 60.0
-    """Time between checkpoints."""
-    runtime: Runtime | None = None
-    """Threads and precision; if none, the machine's usual ones, or with a budget of minutes the fastest, measured."""
 
 
 @dataclass(frozen=True)
@@ -83,66 +59,78 @@ class Progress:
 
 
 def train(
-    dataset: Path | str,
+    dataset: Path | str | Sequence[Path],
     run: Path | str,
     config: TrainConfig | None = None,
     policy: PolicyConfig | None = None,
     progress: Callable[[Progress], None] | None = None,
-    corrections: Path | str | None = None,
+    corrections: Path | str | Sequence[Path] = (),
     initial: Path | str | None = None,
+    watch: BoardName = "tensorboard",
 ) -> Policy:
-    """Train a policy on the curated dataset `dataset` into the folder `run`, or go on with what is there.
+    """Train a policy on the curated dataset `dataset`, or on several, into the folder `run`, or go on with what is there.
 
-    `corrections` is a second dataset, all of which is trained on; `initial` is a run folder whose weights to begin with, instead
-    of random ones. The policy returned is the running average, as saved. `progress` is called after every step.
+    `corrections` are further datasets, all of which is trained on; `initial` is a run folder whose weights to begin with, instead
+    of random ones. The policy returned is the running average, as saved. `progress` is called after every step; `watch` says where
+    the figures go besides `metrics.jsonl`.
     """
-    sources = Sources(Path(dataset), Path(corrections) if corrections else None, Path(initial) if initial else None)
-    trainer = _Trainer(sources, Path(run), config or TrainConfig(), policy or PolicyConfig())
-    try:
-        trainer.run_to_end(progress or (lambda _: None))
-    finally:
-        trainer.workers.close()
-    return trainer.state.average.eval()
+    sources = Sources(_paths(dataset), _paths(corrections), Path(initial) if initial else None)
+    config = config or TrainConfig()
+    with joined(config.device) as ranks:
+        if config.steps is None and ranks.count > 1:
+            raise TrainingError("several processes train for a number of steps, not of minutes: their clocks differ; give --steps")
+        require_board(watch)
+        trainer = _Trainer(sources, Path(run), config, policy or PolicyConfig(), ranks)
+        trainer.board = board(watch if ranks.first else "none", Path(run), trainer.state.step)
+        try:
+            trainer.run_to_end(progress or (lambda _: None))
+        finally:
+            trainer.close()
+        return trainer.state.average.eval().cpu()
 
 
-@dataclass(frozen=True)
-class Sources:
-    """What a run learns from, and what it begins with."""
-
-    dataset: Path
-    corrections: Path | None = None
-    initial: Path | None = None
+def _paths(given: Path | str | Sequence[Path]) -> tuple[Path, ...]:
+    return (Path(given),) if isinstance(given, (str, Path)) else tuple(map(Path, given))
 
 
 class _Trainer:
-    def __init__(self, sources: Sources, run: Path, config: TrainConfig, policy_config: PolicyConfig) -> None:
-        self.run, self.config = run, config
+    def __init__(self, sources: Sources, run: Path, config: TrainConfig, policy_config: PolicyConfig, ranks: Ranks) -> None:
+        self.run, self.config, self.ranks = run, config, ranks
+        self.board: Board
         self.session_start = self.last_save = self.last_report = time.perf_counter()
         # Often enough that a short budget of minutes is still kept to: the plan is revised where it is saved.
         budget = math.inf if config.steps is not None else 60 * config.minutes
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
-        store, curation = EpisodeStore.open(sources.dataset), load_curation(sources.dataset)
-        extra = _corrections(sources.corrections, store)
-        context, crop = policy_config.context, policy_config.crop
-        cut = WindowConfig(context, config.windows, crop, config.change_weight, config.change_reach)
-        self.windows = Windows(store, curation.train, cut, extra)
-        self.validation = Windows(store, curation.validation, WindowConfig(context, 1, crop))
-        self.position_scale: float | None = store.config.get(POSITION_SCALE)
-        if sources.initial:
-            policy = checkpoint.load(sources.initial, store.task, store.control, store.robot).train()
+        begun = checkpoint.load(sources.initial) if sources.initial else None
+        policy_config = begun.config if begun else policy_config
+        lessons = Lessons.of(sources, policy_config.cut(config.windows, config.change_weight, config.change_reach))
+        self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
+        inputs = PolicyInputs.of(lessons.task, self.windows)
+        policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
+        if begun:
+            _require_same_inputs(begun, inputs, sources.initial)
         else:
-            policy = fresh_policy(policy_config, PolicyInputs.of(store.task, self.windows), config.seed)
             policy.fit_normalisation(self.windows)
-        make_folder(run)
-        data = {"config": store.config, "versions": store.versions, "episodes": len(curation.train) + len(extra)}
-        runtime, plan = self._settle(policy, {"dataset": data})
-        self.workers = GradientWorkers(policy, self.windows, config.loss, runtime, config.seed)
+        policy.to(ranks.device)
+        source = source_on(self.windows, ranks.device)
+        measure = lambda among: fastest_runtime(policy, source, config.loss, config.seed, among)  # noqa: E731
+        settled = self._settle(policy, {"dataset": lessons.about}, measure) if ranks.first else None
+        settled = ranks.agree(settled)
+        runtime, plan = Runtime(**settled["runtime"]), StepPlan(**settled["plan"])
+        self.workers = GradientWorkers(policy, source, config.loss, runtime, config.seed, ranks)
         self.state = TrainState(policy, config.optimiser, plan)
-        if self.state.restore(run / STATE_FOLDER):
+        if ranks.first and self.state.restore(run / STATE_FOLDER):
             metrics.forget_after(run, self.state.step)
+        self.state.share(ranks)
         self.seconds_before = self.state.seconds
         self.first_step = self.last_report_step = self.state.step
+        self.best = metrics.lowest(run, _ERROR)
         self._save()
+
+    def close(self) -> None:
+        """End the threads, and what the board still has to write."""
+        self.workers.close()
+        self.board.close()
 
     def run_to_end(self, progress: Callable[[Progress], None]) -> None:
         """Take the steps that are left."""
@@ -181,18 +169,30 @@ class _Trainer:
             "rate": self.config.rate.at(state.step, after),
             "labels_per_second": labels / (now - self.last_report),
         }
-        if _passes(before, after, self.config.evaluations):
+        measure = self.ranks.first and _passes(before, after, self.config.evaluations)
+        if measure:
             errors = held_out(state.average, self.validation, self.config.held_out_runs, self.position_scale)
             values |= {f"held_out_{name}": value for name, value in errors.items()}
-        metrics.append(self.run, values)
+        if self.ranks.first:
+            metrics.append(self.run, values)
+            self.board.add(values)
+        if measure and (self.best is None or values[_ERROR] < self.best[_ERROR]):
+            self.best = values
+            self._save()
         self.last_report, self.last_report_step = time.perf_counter(), state.step
         return values
 
     def _save(self) -> None:
-        self.state.seconds = self._consumed()
+        """Write the state, then the policy, then the best one if it is this: killed in between, it is made good on the way in."""
+        self.last_save, self.state.seconds = time.perf_counter(), self._consumed()
+        if not self.ranks.first:
+            return
         self.state.save(self.run / STATE_FOLDER)
         checkpoint.save(self.run, self.state.average)
-        self.last_save = time.perf_counter()
+        best = self.best
+        if best is not None and best["step"] == self.state.step != checkpoint.best_step(self.run):
+            checkpoint.save_best(self.run, self.state.average, self.state.step, best[_ERROR])
+        write_card(self.run)
 
     def _consumed(self) -> float:
         """Training time so far [s], that of earlier sessions included."""
@@ -205,37 +205,49 @@ class _Trainer:
             pace = (time.perf_counter() - self.session_start) / taken
             self.state.plan = self.state.plan.revised(self.state.step, 60 * self.config.minutes - self._consumed(), pace)
 
-    def _settle(self, policy: Policy, about: dict[str, Any]) -> tuple[Runtime, StepPlan]:
-        """Runtime and plan: those recorded in the run that is there, or measured now and recorded."""
-        config = self.config
+    def _settle(
+        self, policy: Policy, about: dict[str, Any], measure: Callable[[list[Runtime]], tuple[Runtime, float]]
+    ) -> dict[str, Any]:
+        """Runtime and plan, JSON-able: those recorded in the run that is there, or measured now and recorded."""
+        config, ranks = self.config, self.ranks
+        make_folder(self.run)
         what = json.loads(json.dumps({**policy.description(), "train": asdict(config), **about}))
         if (self.run / checkpoint.CONFIG_FILE).exists():
             there = checkpoint.read_config(self.run)
-            there = {**there, **Policy.described(there)}
+            there = {**there, **Policy.described(there), "train": _train_described(there["train"])}
             _require_same(self.run, there, what)
-            return Runtime(**there["runtime"]), StepPlan(**there["plan"])
-        runtime, plan = config.runtime or usual_runtime(config.loss.runs), StepPlan(config.steps or 1)
+            usual = asdict(Runtime(**there["runtime"]))
+            for name, have in (("processes", ranks.count), ("device", ranks.device.type)):
+                if usual[name] != have:
+                    raise CheckpointError(f"{self.run} was started with {name} = {usual[name]!r}, not {have!r}; start it so again")
+            return {"runtime": usual, "plan": there["plan"]}
+        usual = config.runtime or usual_runtime(config.loss.runs, ranks.device.type, config.accumulate, ranks)
+        runtime = usual if config.half is None else replace(usual, half=config.half)
+        plan = StepPlan(config.steps or 1)
         if config.steps is None:
-            candidates = [runtime] if config.runtime else candidate_runtimes(config.loss.runs)
-            runtime, seconds = fastest_runtime(policy, self.windows, config.loss, config.seed, candidates)
+            measured = config.runtime is None and config.half is None and ranks.device.type == "cpu"
+            runtime, seconds = measure(candidate_runtimes(runtime) if measured else [runtime])
             left = 60 * config.minutes - (time.perf_counter() - self.session_start)
             plan = StepPlan(max(1, round(left / seconds)))
         versions = {**installed_versions(), "torch": torch.__version__}
-        settled = {"runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
+        settled = {"parameters": policy.parameter_count, "runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})
-        return runtime, plan
+        return settled
 
 
-def _corrections(path: Path | None, of: EpisodeStore) -> list[EpisodeHeader]:
-    """All episodes of the dataset of corrections, if there is one; `DatasetError` if their actions mean something else."""
-    if path is None:
-        return []
-    store = EpisodeStore.open(path)
-    for what in ("control", "robot"):
-        have, wanted = getattr(store, what), getattr(of, what)
-        if have != wanted:
-            raise DatasetError(f"{path} was collected with {what} = {have!r}, not {wanted!r}; collect it again")
-    return store.headers()
+def _require_same_inputs(begun: Policy, inputs: PolicyInputs, run: Path | None) -> None:
+    """`CheckpointError` if the policy that training is to begin with sees or does something else than the data."""
+    have, wanted = asdict(begun.inputs), asdict(inputs)
+    for what in wanted:
+        if have[what] != wanted[what]:
+            raise CheckpointError(f"{run} was trained with {what} = {have[what]!r}, not {wanted[what]!r} as the data; name another")
+
+
+def _train_described(there: dict[str, Any]) -> dict[str, Any]:
+    """The settings that an earlier version recorded, with those that it had not yet, at what it did."""
+    defaults = json.loads(json.dumps(asdict(TrainConfig())))
+    whole = {k: {**v, **there.get(k, {})} if isinstance(v, dict) else there.get(k, v) for k, v in defaults.items()}
+    return {**whole, "runtime": whole["runtime"] and asdict(Runtime(**whole["runtime"]))}
 
 
 def fresh_policy(config: PolicyConfig, inputs: PolicyInputs, seed: int) -> Policy:

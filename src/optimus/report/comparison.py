@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import write_whole
-from optimus.report import charts
+from optimus.report import charts, pieces
 from optimus.report.data import EvaluationStats, ReportData
-from optimus.report.page import counts_table, duration, flat, page, section, table
+from optimus.report.page import duration
 
 
 def write_comparison(runs: Mapping[str, ReportData], command: str, path: Path) -> None:
@@ -22,7 +22,7 @@ def render_comparison(runs: Mapping[str, ReportData], command: str) -> str:
     """The page as text."""
     title = f"{len(runs)} runs: {', '.join(sorted({data.task for data in runs.values()}))}"
     head = f"<header><h1>{escape(title)}</h1><pre><code>{escape(command)}</code></pre></header>"
-    return page(title, [head, _results(runs), _failures(runs), _curves(runs), _differences(runs), _effort(runs)])
+    return pieces.document(title, [head, _results(runs), _failures(runs), _curves(runs), _differences(runs), _effort(runs)])
 
 
 def _results(runs: Mapping[str, ReportData]) -> str:
@@ -35,7 +35,7 @@ def _results(runs: Mapping[str, ReportData]) -> str:
             x = data.expert
             bars += charts.rate_bar(f"{name}, expert", x.successes, x.episodes, x.interval, "expert")
     lead = "The thin mark on a bar is the 95 % interval; where two overlap widely, more episodes are needed to tell them apart."
-    return section("result", "Result", f'<div class="card">{bars}</div>', lead) if bars else ""
+    return pieces.section("result", "Result", f'<div class="card">{bars}</div>', lead) if bars else ""
 
 
 def _failures(runs: Mapping[str, ReportData]) -> str:
@@ -45,8 +45,8 @@ def _failures(runs: Mapping[str, ReportData]) -> str:
         for cause, count in (item for e in data.evaluations for item in e.failures.items()):
             together[cause] = together.get(cause, 0) + count
         if together:
-            cards += counts_table(f"{name}: {_of(data.evaluations)}", together, "cause")
-    return section("failures", "What went wrong", f'<div class="grid">{cards}</div>') if cards else ""
+            cards += pieces.counts(f"{name}: {_of(data.evaluations)}", together, "cause")
+    return pieces.section("failures", "What went wrong", f'<div class="grid">{cards}</div>') if cards else ""
 
 
 def _of(evaluations: Sequence[EvaluationStats]) -> str:
@@ -61,12 +61,12 @@ def _curves(runs: Mapping[str, ReportData]) -> str:
         series = {name: [(line["step"], line[key]) for line in data.metrics if key in line] for name, data in runs.items()}
         if any(series.values()):
             cards += f'<div class="card"><h3>{escape(panel.title)}</h3>{charts.lines(panel, series)}</div>'
-    return section("training", "Training", f'<div class="grid broad">{cards}</div>') if cards else ""
+    return pieces.section("training", "Training", f'<div class="grid broad">{cards}</div>') if cards else ""
 
 
 def _differences(runs: Mapping[str, ReportData]) -> str:
     """Settings and versions in which not all runs agree, a column a run."""
-    settings: dict[str, dict[str, Any]] = {name: dict(flat({**data.config, **data.versions})) for name, data in runs.items()}
+    settings: dict[str, dict[str, Any]] = {name: dict(pieces.flat({**data.config, **data.versions})) for name, data in runs.items()}
     keys = dict.fromkeys(key for values in settings.values() for key in values)
     rows = []
     for key in keys:
@@ -74,7 +74,7 @@ def _differences(runs: Mapping[str, ReportData]) -> str:
         if len(set(values)) > 1:
             rows.append([key, *values])
     lead = "Settings and versions in which they do not all agree."
-    return section("differences", "What was different", table(["setting", *runs], rows), lead) if rows else ""
+    return pieces.section("differences", "What was different", pieces.table(["setting", *runs], rows), lead) if rows else ""
 
 
 def _effort(runs: Mapping[str, ReportData]) -> str:
@@ -82,4 +82,4 @@ def _effort(runs: Mapping[str, ReportData]) -> str:
     for name, data in runs.items():
         demonstrations = data.dataset.demonstrations if data.dataset else ""
         rows.append([name, demonstrations, duration(sum(data.seconds.values())) if data.seconds else "", data.command])
-    return section("effort", "What it took", table(["run", "demonstrations", "time", "command"], rows))
+    return pieces.section("effort", "What it took", pieces.table(["run", "demonstrations", "time", "command"], rows))

@@ -1,0 +1,106 @@
+"""Batches where the policy is: cut from the files and sent there, or cut there from a data set that is kept there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from optimus.data.windows import Batch, Windows
+
+_MEMORY_SHARE = 0.7
+"""Of a GPU's free memory, at most, for the data set."""
+
+
+@dataclass(frozen=True, eq=False)
+class TensorBatch:
+    """A `Batch` of tensors on one device."""
+
+    images: dict[str, Tensor]
+    shifts: dict[str, Tensor]
+    proprioception: dict[str, Tensor]
+    actions: Tensor
+    weight: Tensor
+    objects: Tensor
+    ahead: Tensor
+
+    @property
+    def labels(self) -> Tensor:
+        """What a head is taught at each frame: the action `(B, F, n)`, or where it answers in chunks `(B, F, chunk, n)`."""
+        return torch.cat([self.actions[:, :, None], self.ahead], 2) if self.ahead.shape[2] else self.actions
+
+
+class BatchSource(Protocol):
+    """`Windows`, or the same resident on a device."""
+
+    def sample(self, rng: np.random.Generator, runs: int) -> Batch | TensorBatch:
+        """Runs drawn uniformly, cropped anywhere; a function of the generator's state alone."""
+        ...
+
+
+def on_device(batch: Batch | TensorBatch, device: torch.device) -> TensorBatch:
+    """The same batch as tensors on that device; nothing is copied that is there already."""
+    if isinstance(batch, TensorBatch):
+        return batch
+    send = lambda array: torch.from_numpy(array).to(device)  # noqa: E731
+    images, shifts, low = (
+        {name: send(array) for name, array in arrays.items()}
+        for arrays in (batch.images, batch.shifts, batch.proprioception)
+    )
+    return TensorBatch(images, shifts, low, send(batch.actions), send(batch.weight), send(batch.objects), send(batch.ahead))
+
+
+class ResidentWindows:
+    """All frames of some `Windows` on one device, images as uint8. What it samples is, bit for bit, what they would."""
+
+    def __init__(self, windows: Windows, device: torch.device) -> None:
+        self._windows, self._device = windows, device
+        tracks = windows.tracks
+        self._starts = np.cumsum([0, *(len(t.actions) for t in tracks)])
+        joined = lambda arrays: torch.cat([torch.from_numpy(np.array(a)).to(device) for a in arrays])  # noqa: E731
+        self._images = {c: joined([t.images[c] for t in tracks]) for c in windows.cameras}
+        self._low = {name: joined([t.proprioception[name] for t in tracks]) for name in tracks[0].proprioception}
+        self._actions, self._weight, self._objects = (
+            joined([getattr(t, name) for t in tracks]) for name in ("actions", "weight", "objects")
+        )
+
+    def sample(self, rng: np.random.Generator, runs: int) -> TensorBatch:
+        """See `Windows.sample`."""
+        windows = self._windows
+        places = [windows.place(i) for i in rng.integers(len(windows), size=runs)]
+        offsets = windows.offsets(runs, rng)
+        frames = self._there(np.stack([self._starts[number] + frames.clip(0) for number, frames in places]))
+        steps = np.arange(1, windows.config.ahead + 1)
+        following = [(f.clip(0)[:, None] + steps).clip(max=len(windows.tracks[n].actions) - 1) for n, f in places]
+        later = self._there(np.stack([self._starts[n] + f for (n, _), f in zip(places, following, strict=True)]))
+        inside = self._there(np.stack([frames >= 0 for _, frames in places]))
+        return TensorBatch(
+            images={c: self._crops(c, frames, self._there(corners)) for c, corners in offsets.items()},
+            shifts={c: self._there(shift) for c, shift in windows.shifts(offsets).items()},
+            proprioception={name: values[frames] for name, values in self._low.items()},
+            actions=self._actions[frames],
+            weight=self._weight[frames] * inside,
+            objects=self._objects[frames],
+            ahead=self._actions[later],
+        )
+
+    def _there(self, array: np.ndarray) -> Tensor:
+        return torch.from_numpy(array).to(self._device)
+
+    def _crops(self, camera: str, frames: Tensor, corners: Tensor) -> Tensor:
+        """The frames `(B, F)`, each run cropped at its corner `(B, 2)`: `(B, F, side, side, 3)`."""
+        side = torch.arange(self._windows.config.crop, device=self._device)
+        rows, columns = (corners[:, axis, None] + side for axis in (0, 1))
+        return self._images[camera][frames[:, :, None, None], rows[:, None, :, None], columns[:, None, None, :]]
+
+
+def source_on(windows: Windows, device: torch.device) -> BatchSource:
+    """The windows, resident on a GPU if they fit there."""
+    if device.type != "cuda":
+        return windows
+    needed = sum(images.nbytes for track in windows.tracks for images in track.images.values())
+    free, _ = torch.cuda.mem_get_info(device)
+    return ResidentWindows(windows, device) if needed < _MEMORY_SHARE * free else windows

@@ -1,0 +1,68 @@
+"""How a policy is trained, as values: `TrainConfig`, and the recipes that go by a name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from optimus.errors import UnknownNameError
+from optimus.learn.gradient import LossConfig, Runtime
+from optimus.learn.schedule import RateConfig
+from optimus.learn.state import OptimiserConfig
+
+Device = Literal["auto", "cpu", "cuda"]
+
+
+@dataclass(frozen=True)
+class TrainConfig:
+    """How a policy is trained."""
+
+    steps: int | None = None
+    """Number of steps; if none, `minutes` decides."""
+    minutes: float = 10.0
+    """Time to train for, start-up included."""
+    seed: int = 0
+    windows: int = 1
+    """Consecutive windows in a run."""
+    change_weight: float = 1.0
+    """Weight of labels near a change of the gripper."""
+    change_reach: int = 2
+    """Steps before and after such a change that count as near."""
+    loss: LossConfig = field(default_factory=LossConfig)
+    rate: RateConfig = field(default_factory=RateConfig)
+    optimiser: OptimiserConfig = field(default_factory=OptimiserConfig)
+    evaluations: int = 10
+    """How often the held-out error is measured."""
+    held_out_runs: int = 256
+    """Windows that it is measured on."""
+    checkpoint_seconds: float = 60.0
+    """Time between checkpoints."""
+    accumulate: int = 1
+    """Portions of a batch that each process computes one after the other: memory for one portion is enough."""
+    device: Device = "auto"
+    """`auto`: a GPU if there is one."""
+    half: bool | None = None
+    """Convolutions in bfloat16; if None, where the hardware has it."""
+    runtime: Runtime | None = None
+    """Threads and precision; if none, the machine's usual ones, or with a budget of minutes the fastest, measured."""
+
+
+RECIPES: dict[str, TrainConfig] = {
+    "quick": TrainConfig(),
+    # Table D.1 and Section D of the paper's appendix: one label a window, no running average, no auxiliary loss
+    "paper": TrainConfig(
+        steps=1_000_000,
+        loss=LossConfig(runs=16, supervise="last", location_weight=0.0),
+        rate=RateConfig(first=1e-4, last=1e-5, warm_up=0, shape="linear", over=100_000),
+        optimiser=OptimiserConfig(weight_decay=0.01, decay_all=True, clip=1.0, clip_apart=False, average=0.0),
+        evaluations=100,
+    ),
+}
+"""`quick`: minutes on a CPU; `paper`: a million steps of batches of 16 (512 and more for many tasks)."""
+
+
+def recipe(name: str) -> TrainConfig:
+    """The recipe of that name; `UnknownNameError` lists the others."""
+    if name not in RECIPES:
+        raise UnknownNameError("recipe", name, RECIPES)
+    return RECIPES[name]

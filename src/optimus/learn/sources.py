@@ -1,0 +1,99 @@
+"""What a policy learns from: one curated data set or several, and corrections besides."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from optimus.data.curate import Curation, load_curation
+from optimus.data.episode_file import EpisodeHeader
+from optimus.data.store import EpisodeStore
+from optimus.data.windows import WindowConfig, Windows
+from optimus.errors import DatasetError
+from optimus.learn.checkpoint import joint_task
+
+POSITION_SCALE = "position_scale"
+"""Key of a dataset's configuration: metres that a position action of 1 stands for."""
+SCALES = (POSITION_SCALE, "rotation_scale", "joint_scale")
+
+
+@dataclass(frozen=True)
+class Sources:
+    """The folders that a run learns from, and the run whose weights it begins with."""
+
+    datasets: tuple[Path, ...]
+    """Curated; their shares in training are those of their steps."""
+    corrections: tuple[Path, ...] = ()
+    """All of these is trained on."""
+    initial: Path | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Lessons:
+    """The sources, opened and found to fit together."""
+
+    task: str
+    """Of several data sets: all their tasks (`checkpoint.joint_task`)."""
+    train: Windows
+    validation: Windows
+    position_scale: float | None
+    about: dict[str, Any]
+    """What was learned from, JSON-able."""
+
+    @classmethod
+    def of(cls, sources: Sources, cut: WindowConfig) -> Lessons:
+        """Open them; `DatasetError` if they do not fit together."""
+        stores = [EpisodeStore.open(path) for path in sources.datasets]
+        if not stores:
+            raise DatasetError("nothing to train on; name one dataset or several")
+        curations = [load_curation(store.path) for store in stores]
+        first = stores[0]
+        for store in stores[1:]:
+            _require_same_meaning(store, first)
+        extra = [header for path in sources.corrections for header in _corrections(path, stores)]
+        train = [*_rest(stores, curations, "train"), *extra]
+        held_out = _rest(stores, curations, "validation")
+        centre = replace(cut, windows=1, change_weight=1.0)
+        return cls(
+            joint_task(store.task for store in stores),
+            Windows(first, curations[0].train, cut, train),
+            Windows(first, curations[0].validation, centre, held_out),
+            first.config.get(POSITION_SCALE),
+            _about(stores, len(curations[0].train) + len(train)),
+        )
+
+
+def _rest(stores: Sequence[EpisodeStore], curations: Sequence[Curation], which: str) -> list[EpisodeHeader]:
+    """The headers of all datasets but the first."""
+    return [store.header(s) for store, c in zip(stores[1:], curations[1:], strict=True) for s in getattr(c, which)]
+
+
+def _about(stores: Sequence[EpisodeStore], episodes: int) -> dict[str, Any]:
+    said: dict[str, Any] = {"config": stores[0].config, "versions": stores[0].versions, "episodes": episodes}
+    if len(stores) > 1:
+        said["others"] = [{"task": s.task, "config": s.config, "versions": s.versions} for s in stores[1:]]
+    return said
+
+
+def _corrections(path: Path, of: Sequence[EpisodeStore]) -> list[EpisodeHeader]:
+    """All episodes of a dataset of corrections."""
+    store = EpisodeStore.open(path)
+    if store.task not in (tasks := [s.task for s in of]):
+        raise DatasetError(f"{path} was collected for task {store.task!r}, not {' or '.join(map(repr, tasks))}; name another")
+    _require_same_meaning(store, of[0])
+    return store.headers()
+
+
+def _require_same_meaning(store: EpisodeStore, first: EpisodeStore) -> None:
+    """`DatasetError` if what is seen or done in one of them means something else than in the other."""
+    said: list[tuple[str, Any, Any]] = [(what, getattr(store, what), getattr(first, what)) for what in ("control", "robot")]
+    said.append(("cameras", ", ".join(store.cameras), ", ".join(first.cameras)))
+    said += [(scale, store.config.get(scale), first.config.get(scale)) for scale in SCALES]
+    for what, have, wanted in said:
+        if have != wanted:
+            raise DatasetError(
+                f"{store.path} was collected with {what} = {have!r}, not {wanted!r} as {first.path}; "
+                "train on it apart, or collect it again"
+            )
