@@ -210,7 +210,7 @@ def _train(stage: str, lesson: Lesson, progress: StageProgress) -> None:
 
     rate = RateConfig() if lesson.initial is None else RateConfig(first=1e-3)
     config = TrainConfig(minutes=lesson.minutes, seed=lesson.config.seed, rate=rate)
-    train(lesson.data, lesson.policy, config, None, report, lesson.corrections, lesson.initial)
+    train(lesson.data, lesson.policy, config, None, report, lesson.corrections or (), lesson.initial)
 
 
 def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgress) -> dict[str, Any]:
