@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -33,6 +33,18 @@ class ExpertConfig:
     perturbation: Perturbation | None = None
     check: bool = False
     """Have every plan validated before it is carried out; an invalid one is a failure."""
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> ExpertConfig:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        pushed = value["perturbation"]
+        return cls(
+            Style(**value["style"]),
+            TimeLaw(**value["law"]),
+            Budget(**value["budget"]),
+            None if pushed is None else Perturbation(**pushed),
+            value.get("check", False),
+        )
 
 
 @dataclass(frozen=True, eq=False)

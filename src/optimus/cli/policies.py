@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from tyro.conf import arg
 
 from optimus.cli.options import Datasets, Json, ObjectsName, RobotName, RunFolder, Workers, chosen_robot
-from optimus.cli.output import bar, counter, rate, say
+from optimus.cli.output import StageBars, bar, counter, rate, say
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,7 +26,7 @@ ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy t
 def train(
     datasets: Datasets,
     out: Path,
-    minutes: float = 10.0,
+    minutes: float | None = None,
     steps: int | None = None,
     seed: int = 0,
     recipe: Literal["quick", "paper"] = "quick",
@@ -37,6 +38,11 @@ def train(
     board: Literal["tensorboard", "wandb", "none"] = "tensorboard",
     corrections: tuple[Path, ...] = (),
     initial: Path | None = None,
+    dagger: int = 0,
+    dagger_episodes: int = 50,
+    dagger_plain: bool = False,
+    dagger_evaluations: int = 50,
+    workers: Workers = 0,
     json: Json = False,
 ) -> None:
     """Train a policy on one dataset or several by behaviour cloning; a second call goes on where the first was stopped.
@@ -45,11 +51,12 @@ def train(
         optimus train data/stack --out runs/stack --minutes 12
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
+        optimus train data/stack --out runs/stack --steps 3000 --dagger 2 --dagger-episodes 50
         torchrun --nproc-per-node 2 -m optimus.cli train data/stack --out runs/stack --steps 5000
 
     Args:
         out: the run's folder
-        minutes: time to train for; the learning rate anneals over it
+        minutes: time to train for; the learning rate anneals over it; 10 unless --steps or the recipe say how many
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
         recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K)
@@ -61,6 +68,10 @@ def train(
         board: where the figures can be watched: `tensorboard --logdir OUT`, or Weights & Biases
         corrections: further datasets, from `optimus collect --policy`, to train on as well
         initial: a run folder whose weights to begin with
+        dagger: rounds in which the newest policy acts, the planner answers from wherever that led, and training goes on
+        dagger_episodes: successful episodes that each round adds
+        dagger_plain: add as many demonstrations by the expert alone instead, for comparison
+        dagger_evaluations: episodes in which success is measured before and after each round
     """
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
@@ -69,17 +80,42 @@ def train(
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
+    if dagger > 0:
+        _require_plain_lesson(datasets, corrections, initial)
+        rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
+        _rounds(datasets[0], out, asked.config, rounds, json)
+        return
     with bar(None, "train", "step", silent=not is_first()) as shown:
         run_train(datasets, out, asked.config, None, _training(shown), corrections, initial, board)
     if is_first():
         say({"run": str(out)}, json, str(out))
 
 
+def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None) -> None:
+    """`DatasetError` for what does not go with --dagger."""
+    from optimus.errors import DatasetError
+
+    if len(datasets) != 1 or corrections or initial or int(os.environ.get("WORLD_SIZE", "1")) > 1:
+        raise DatasetError("--dagger takes one dataset and one process, without --corrections and --initial")
+
+
+def _rounds(dataset: Path, out: Path, lesson: TrainConfig, rounds: tuple[int, int, bool, int, int], json: bool) -> None:
+    from optimus.dagger import DaggerConfig, dagger
+
+    bars = StageBars()
+    try:
+        report = dagger(dataset, out, lesson, DaggerConfig(*rounds), bars)
+    finally:
+        bars.close()
+    lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]
+    say({"run": str(out), **report}, json, "\n".join(lines))
+
+
 @dataclass(frozen=True)
 class Asked:
     """What the options of `train` say about how."""
 
-    minutes: float
+    minutes: float | None
     steps: int | None
     seed: int
     recipe: str
@@ -99,8 +135,8 @@ class Asked:
         optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
         return replace(
             base,
-            steps=base.steps if self.steps is None else self.steps,
-            minutes=self.minutes,
+            steps=self.steps if self.steps is not None or self.minutes is not None else base.steps,
+            minutes=base.minutes if self.minutes is None else self.minutes,
             seed=self.seed,
             loss=loss,
             optimiser=optimiser,
