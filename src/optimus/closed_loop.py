@@ -10,15 +10,14 @@ from numpy.typing import NDArray
 from optimus.data.episode import Observation
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
+from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
 from optimus.rollout import LAST_LOOK
-from optimus.se3 import Pose
+from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.state import State
 
-RETRY_SECONDS = 3.0
-"""Planning again is given up after this [s of CPU]."""
 EMPTY = "empty hand"
 MOVED = "something was moved"
 LOOK_AFTER = LAST_LOOK - 2
@@ -27,6 +26,10 @@ STAYED = 0.015
 """What the plan supposes to stand still does so within this [m]."""
 DOOR_STAYED = 0.15
 """... and doors within this [rad]."""
+HOMEWARDS, HOMEWARDS_TURN = 0.02, 0.1
+"""The way home a step [m], [rad]."""
+AT_HOME = 0.05
+"""[m], turns as in `lines.distance`"""
 RESTS = 0.05
 """Where a thing that was moved will stay is known below this speed [m/s]."""
 
@@ -43,15 +46,18 @@ class Vigilance:
     """Steps without progress along a path after which it is given up."""
     others: bool = False
     """Somebody else acts too: look whether things and doors still are where the plan supposes them; that a thing was lost is not
-    the grasp's fault; and where there is no plan any more, end, for an answer by a plan that does not hold is none."""
-    patience: int = 5
-    """Steps until planning is tried again that failed, things perhaps being in motion ..."""
-    vain: int = 4
-    """... and how often before the episode ends."""
+    the grasp's fault; and where there is no plan any more, go home, and end if there is none from there either: an answer by a
+    plan that does not hold is none."""
+    patience: int = 10
+    """Steps on the way home until planning is tried again that failed ..."""
+    vain: int = 6
+    """... and how often before the episode ends; at home, twice."""
+    seconds: float = 3.0
+    """Planning again is given up after this [s of CPU]."""
 
 
 ALONE = Vigilance()
-SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True)
+SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
 
 
 class ClosedLoop:
@@ -72,11 +78,11 @@ class ClosedLoop:
         self.retries: list[str] = []
         """Why it planned again, each time."""
         self.stale = 0
-        """Steps that it waited because its plan did not hold any more and there was no other yet."""
+        """Steps that it went home because its plan did not hold any more and there was no other yet."""
         self.errors: list[float] = []
         """Distance of the tcp from the planned path at each step of motion [m]."""
         self._env, self._workspace, self._rng, self._law = env, workspace, rng, law
-        self._budget, self._vigilance = replace(budget, seconds=RETRY_SECONDS), vigilance
+        self._budget, self._vigilance = replace(budget, seconds=vigilance.seconds), vigilance
         self._wait = self._vain = 0
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
@@ -109,7 +115,7 @@ class ClosedLoop:
         trouble = self._trouble(answer is None)
         if self._wait > 0:
             self._wait = self._wait - 1 if self._in_motion() or not self._falling else 0
-            return self._still(observation, answer) if self._wait > 0 else self._plan_again(observation, answer)
+            return self._homewards() if self._wait > 0 else self._plan_again(observation, answer)
         if not trouble:
             return answer
         if len(self.retries) >= self._vigilance.retries:
@@ -126,8 +132,11 @@ class ClosedLoop:
             if not self._vigilance.others:
                 return answer
             self._falling = self._in_motion()
-            self._vain, self._wait = self._vain + (not self._falling), self._vigilance.patience
-            return self._still(observation, answer)
+            if not self._falling:
+                home = distance(self._env.state().tcp, self._workspace.home) < AT_HOME
+                self._vain += self._vigilance.vain // 2 if home else 1
+            self._wait = self._vigilance.patience
+            return self._homewards()
         self._vain = 0
         self._follow(plan)
         return self._follower.act(observation)
@@ -147,13 +156,15 @@ class ClosedLoop:
         held = state.held.name if state.held else ""
         return any(speed > RESTS for name, speed in state.speeds.items() if name != held)
 
-    def _still(self, observation: Observation, answer: NDArray[np.float32] | None) -> NDArray[np.float32] | None:
-        """Wait where the arm is until there is a plan again, the hand open if it holds nothing."""
+    def _homewards(self) -> NDArray[np.float32]:
+        """Where there is no plan from here there may be one from home: slowly there, the hand open, until there is one. Things that
+        still move have the time to come to rest."""
         self.stale += 1
-        if answer is None:
-            return None
-        shut = 1.0 if self._env.state().held is not None else -1.0
-        return np.append(np.zeros(len(answer) - 1), shut).astype(np.float32)
+        twist = error_between(self._env.state().tcp, self._workspace.home)
+        twist[:3] *= min(1.0, HOMEWARDS / max(1e-9, float(np.linalg.norm(twist[:3]))))
+        twist[3:] *= min(1.0, HOMEWARDS_TURN / max(1e-9, float(np.linalg.norm(twist[3:]))))
+        arm = self._env.controller.action_for(twist, self._env.data)
+        return np.append(arm, -1.0).clip(-1.0, 1.0).astype(np.float32)
 
     def _grasp(self) -> list[tuple[str, Pose]]:
         """The latest grasp of the plan so far: what it takes, and `object_from_tcp`."""

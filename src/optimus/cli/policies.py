@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from optimus.learn.train import Progress
 
 Episodes = Annotated[int, arg(help="how many to play")]
-ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy that was trained for another task")]
+ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy that was not trained for it; of several: which")]
 
 
 def train(
@@ -206,7 +206,7 @@ def evaluate(
 
     trained_for = checkpoint.load(run, task).inputs.task
     arm = evaluation.trained_robot(run, chosen_robot(robot))
-    starts = _starts(run, states, dataset, episodes, seed, objects)
+    starts = _starts(run, states, dataset, episodes, seed, objects, task)
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
         report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
@@ -215,12 +215,14 @@ def evaluate(
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
 
 
-def _starts(run: Path, states: str, dataset: Path | None, episodes: int, seed: int, objects: str | None) -> list[Start]:
+def _starts(
+    run: Path, states: str, dataset: Path | None, episodes: int, seed: int, objects: str | None, task: str | None
+) -> list[Start]:
     from optimus.errors import CheckpointError
     from optimus.evaluate import random_starts, require_same_problems, validation_starts
 
     if states == "random":
-        return random_starts(episodes, seed, objects)
+        return random_starts(episodes, seed, objects, task)
     if objects is not None:
         raise CheckpointError("--objects are for --states random: validation states have the dataset's own")
     if dataset is None:
