@@ -19,7 +19,7 @@ DROP = 0.05
 REST_SECONDS, REST_SPEED, REST_LEAN = 2.0, 0.01, 0.08
 """After this long [s] it moves more slowly than this [m/s], and leans less than this [rad]."""
 CLOSE_SECONDS = 0.5
-SHAKE_SECONDS, SHAKE = 0.15, 4.0
+SHAKE_SECONDS, SHAKE = 0.3, 4.0
 """Each jolt: how long [s] and how hard [m/s^2], in six directions, on top of gravity."""
 SLIP, TURN = 0.010, 0.20
 """A grasp holds if the thing moves less than this in the hand [m], and turns less than this [rad], after the fingers closed."""

@@ -23,9 +23,11 @@ UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
-
-ALIKE = np.radians(8.0)
-"""A grasp that was tried leans as one of these, within this [rad]."""
+TURNED = tuple(np.radians((-11.0, 11.0, -22.0, 22.0)))
+"""Under a roof, where few ways in are left, a grasp that was tried is also taken turned by this about the line on which the fingers
+close [rad]: the pads touch the same places."""
+BETWEEN = np.radians(16.0)
+"""A grasp that was tried counts as the nearest of these leans, if it is this near [rad]."""
 MISS_RADIUS = 0.01
 """A grasp this near to one that came up empty is not tried again [m], turns as in `lines.distance`."""
 OFF_CENTRE = 20.0
@@ -58,11 +60,11 @@ class Pick:
             at = Pose(at.pos, quat_mul(quat_from_rotvec((0.0, 0.0, -_yaw(at))), at.quat))
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
-        ways = [(_tilt(pose), pose) for pose in _verified(shape, at)] if shape.verified else None
-        for tilt in LEANING if roofed else UPRIGHT:
-            poses = _leant(shape, at, tilt) if ways is None else [p for lean, p in ways if abs(lean - tilt) < ALIKE]
-            com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
-            yield from sorted(poses, key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
+        leans = LEANING if roofed else UPRIGHT
+        for poses in _by_lean(shape, at, leans, roofed):
+            for tilt in leans:
+                com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
+                yield from sorted(poses[tilt], key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
@@ -107,10 +109,26 @@ def _has_missed(workspace: Workspace, thing: str, grasp: Pose) -> bool:
     return any(distance(grasp, other) < MISS_RADIUS for name, other in workspace.missed if name == thing)
 
 
-def _leant(shape: Shape, at: Pose, tilt: float) -> list[Pose]:
-    """The grasps of a shape of primitives, each turned by `tilt` about the line on which the fingers close."""
-    lean = Pose.of(rotvec=(0.0, tilt, 0.0))
-    return [at @ grasp.pose @ lean for grasp in shape.grasps]
+def _by_lean(shape: Shape, at: Pose, leans: tuple[float, ...], roofed: bool) -> Iterator[dict[float, list[Pose]]]:
+    """The grasps of a shape by how far they lean [rad]: those of a shape of primitives turned to each lean; those that were tried
+    under the lean that each is nearest to, if any is near, and after them, under a roof, their turns."""
+    if not shape.verified:
+        yield {tilt: [at @ grasp.pose @ _turn(tilt) for grasp in shape.grasps] for tilt in leans}
+        return
+    tried = _verified(shape, at)
+    for turns in ((0.0,), TURNED) if roofed else ((0.0,),):
+        found: dict[float, list[Pose]] = {tilt: [] for tilt in leans}
+        for pose in (pose @ _turn(turn) for turn in turns for pose in tried):
+            tilt = _tilt(pose)
+            nearest = min(leans, key=lambda lean: abs(lean - tilt))
+            if abs(nearest - tilt) < BETWEEN:
+                found[nearest].append(pose)
+        yield found
+
+
+def _turn(angle: float) -> Pose:
+    """A turn about the line on which the fingers close [rad]."""
+    return Pose.of(rotvec=(0.0, angle, 0.0))
 
 
 def _verified(shape: Shape, at: Pose) -> list[Pose]:

@@ -17,9 +17,9 @@ class Style:
     """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
     corridor: float = 0.15
     """Fixtures this near to the way sideways are passed over [m]."""
-    hop: float = 0.015
+    hop: float = 0.04
     """Under a roof, what is held is carried this far above its support [m]."""
-    lift_off: float = 0.005
+    lift_off: float = 0.02
     """... after it has been lifted straight up by this [m]."""
     high: float = 0.45
     """Where the straight way is blocked, one by way of home is tried, and one above home at this height [m]."""
