@@ -113,7 +113,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     if robot != TASKS_OWN:
         about["robot"] = robot
     if config.turns is not None:
-        about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
+        about["turns"] = config.turns.record
     return EpisodeStore.create(config.out, task.name, cameras, about)
 
 
@@ -136,7 +136,7 @@ def collect(config: CollectConfig, progress: Callable[[int], None] = lambda done
     with executor(config.workers or available_cores()) as pool:
         try:
             while successes < config.episodes:
-                if config.turns is None:
+                if config.max_seconds == math.inf:
                     _require_hope(store, successes, failures)
                 late = time.perf_counter() - began > config.max_seconds
                 if late and not pending:

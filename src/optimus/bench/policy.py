@@ -80,7 +80,7 @@ def bench_gradient_step(name: str, rounds: int, seed: int, progress: Progress) -
     }
 
 
-def bench_policy_action(name: str, rounds: int, seed: int, progress: Progress) -> dict[str, Any]:
+def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progress: Progress) -> dict[str, Any]:
     """CPU milliseconds of an action, frames to action, on one thread: by encoding the whole window, by encoding the newest frame,
     and the same compiled where there is a compiler; and by how much the answers differ."""
     torch.set_num_threads(1)
@@ -89,7 +89,7 @@ def bench_policy_action(name: str, rounds: int, seed: int, progress: Progress) -
     rng = np.random.default_rng(seed)
     frames = [_observation(rng) for _ in range(config.context + rounds)]
     agents = {"newest_frame": PolicyAgent(policy, "likeliest")}
-    if shutil.which(os.environ.get("CXX", "c++")):
+    if compiled and shutil.which(os.environ.get("CXX", "c++")):
         agents["compiled"] = PolicyAgent(policy, "likeliest", compiled=True)
     plain = plainly(policy)
     spent: dict[str, list[float]] = {way: [] for way in ("plain", *agents)}
