@@ -28,6 +28,7 @@ from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import evaluate, trained_robot, validation_starts
+from optimus.learn.policy import PolicyConfig
 from optimus.learn.train import Progress, TrainConfig, train
 
 SEEDS_FROM = 100_000_000
