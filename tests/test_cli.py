@@ -97,7 +97,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
 def test_bench_collect_render_step_and_action() -> None:
     collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2")
     assert collected["demonstrations"] == 2
-    assert set(collected["cpu_seconds"]) == {"planning", "physics", "rendering", "writing"}
+    assert {"planning", "physics", "rendering", "writing"} <= set(collected["cpu_seconds_per_demonstration"])
     assert result_of("bench", "render", "stack", "--episodes", "3")["frame_ms"]["agentview"]["median"] > 0
     assert result_of("bench", "step", "stack", "--episodes", "1")["step_ms"]["median"] > 0
     assert result_of("bench", "action", "stack")["action_ms"]["median"] > 0
