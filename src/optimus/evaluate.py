@@ -85,6 +85,8 @@ class Start:
     state: np.ndarray | None = None
     objects: str | None = None
     """What to do the task with (see `optimus.tasks.task`); None: what the policy was trained with."""
+    task: str | None = None
+    """Of a policy of several tasks: which; None: its first."""
 
 
 def validation_starts(dataset: Path, episodes: int) -> list[Start]:
@@ -92,19 +94,20 @@ def validation_starts(dataset: Path, episodes: int) -> list[Start]:
     store, seeds = EpisodeStore.open(dataset), load_curation(dataset).validation
     if not seeds:
         raise DatasetError(f"{dataset} has no validation demonstrations; collect more, or evaluate with --states random")
-    return [Start(s, store.header(s).read("initial_state")) for s in (seeds[i % len(seeds)] for i in range(episodes))]
+    state = lambda seed: store.header(seed).read("initial_state")  # noqa: E731
+    return [Start(s, state(s), task=store.task) for s in (seeds[i % len(seeds)] for i in range(episodes))]
 
 
-def random_starts(episodes: int, seed: int = 0, objects: str | None = None) -> list[Start]:
+def random_starts(episodes: int, seed: int = 0, objects: str | None = None, task: str | None = None) -> list[Start]:
     """Fresh problems that no dataset holds, perhaps with other objects than the policy was trained with."""
-    return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i, objects=objects) for i in range(episodes)]
+    return [Start(RANDOM_SEEDS_FROM + seed * 100_000 + i, objects=objects, task=task) for i in range(episodes)]
 
 
 def trained_robot(run: Path, asked: Robot | None = None) -> Robot | None:
     """The robot that the policy in `run` was trained with; None for the task's own. `CheckpointError` if another one is asked
     for, or none where only a robot file can tell."""
     inputs = checkpoint.load(run).inputs
-    task = task_named(inputs.task)
+    task = task_named(checkpoint.tasks_of(inputs.task)[0])
     if asked is None and inputs.robot in known_robots():
         asked = robot_named(inputs.robot)
     if task.robot_record(asked) != inputs.robot:
@@ -118,18 +121,18 @@ def require_same_problems(run: Path, dataset: Path) -> None:
     inputs, store = checkpoint.load(run).inputs, EpisodeStore.open(dataset)
     for what in ("task", "robot"):
         have, wanted = getattr(store, what), getattr(inputs, what)
-        if have != wanted:
+        if have != wanted and have not in checkpoint.tasks_of(wanted):
             raise DatasetError(f"{dataset} was collected with {what} = {have!r}, {run} trained with {wanted!r}; name another")
 
 
 @lru_cache(maxsize=1)
 def _actors(
-    run: Path, component: Component, robot: Robot | None, objects: str | None
+    run: Path, component: Component, robot: Robot | None, objects: str | None, task: str | None
 ) -> tuple[ManipulationEnv, PolicyAgent]:
     torch.set_num_threads(1)
     agent = PolicyAgent(run, component)
     inputs = agent.policy.inputs
-    name = inputs.task if objects is None else with_objects(inputs.task, objects)
+    name = with_objects(task or checkpoint.tasks_of(inputs.task)[0], objects)
     told = OBJECT_POSITIONS in inputs.proprioception
     arm = trained_robot(run, robot)
     return ManipulationEnv(task_named(name), images=not told, control=inputs.control, robot=arm, positions=told), agent
@@ -184,7 +187,7 @@ def play(
 ) -> tuple[Episode, str]:
     """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
     trained with, needed only where that has no known name."""
-    env, agent = _actors(run, component, robot, start.objects)
+    env, agent = _actors(run, component, robot, start.objects, start.task)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before
@@ -211,9 +214,9 @@ def evaluate(
 ) -> EvalReport:
     """One episode from each start. The outcomes are the same for any number of workers. `robot`: as for `play`."""
     trained_robot(run, robot)
-    task = checkpoint.read_config(run)["task"]
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
+    task = starts[0].task or checkpoint.read_config(run)["task"]
     outcomes: dict[int, Outcome] = {}
     jobs = [partial(_evaluate_one, run, start, seed + i, component, robot) for i, start in enumerate(starts)]
     for i, outcome in finished(jobs, workers):
