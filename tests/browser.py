@@ -43,7 +43,7 @@ def page(width: int = 800, height: int = 480, scheme: Scheme = "light") -> Itera
     if CHROMIUM is None:
         pytest.skip("no Chromium here: apt-get install chromium")
     opened = _browser().new_page(viewport={"width": width, "height": height}, color_scheme=scheme)
-    opened.set_default_timeout(30_000)
+    opened.set_default_timeout(90_000)
     wrong: list[str] = []
 
     def said(message: ConsoleMessage) -> None:
@@ -66,7 +66,11 @@ def requires_no_sideways_scrolling(page: Page) -> None:
 
 
 def keep(page: Page, name: str, full: bool = False) -> None:
-    """A picture for the documentation, if they are wanted."""
+    """A picture for the documentation, if they are wanted: large, without the viewer's word about software rendering."""
     if SCREENSHOTS is not None:
+        page.add_style_tag(content=".mantine-Notifications-root { display: none }")
+        if page.evaluate("window.innerWidth") > 500:
+            page.set_viewport_size({"width": 960, "height": 600})
+            page.wait_for_timeout(2500)
         SCREENSHOTS.mkdir(parents=True, exist_ok=True)
         page.screenshot(path=SCREENSHOTS / f"{name}.jpg", type="jpeg", quality=80, full_page=full)

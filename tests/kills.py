@@ -141,13 +141,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--moments", type=int, default=50)
     parser.add_argument("--episodes", type=int, default=600)
+    parser.add_argument("--longest", type=float, default=6.0, help="most seconds from one kill to the next")
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        kills = disturb(Path(folder) / "killed", asked.episodes, asked.moments, asked.seed)
+        kills = disturb(Path(folder) / "killed", asked.episodes, asked.moments, asked.seed, asked.longest)
+        sys.stdout.write(f"{kills}\n")
+        sys.stdout.flush()
         collect(CollectConfig("stack", Path(folder) / "whole", asked.episodes, workers=1, images=False))
         assert contents(Path(folder) / "killed") == contents(Path(folder) / "whole")
-    sys.stdout.write(f"{kills}\nnothing lost, nothing torn, no orphan; the same bytes as undisturbed\n")
+    sys.stdout.write("nothing lost, nothing torn, no orphan; the same bytes as undisturbed\n")
 
 
 if __name__ == "__main__":

@@ -97,7 +97,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
 def test_bench_collect_render_step_and_action() -> None:
     collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2")
     assert collected["demonstrations"] == 2
-    assert set(collected["cpu_seconds"]) == {"planning", "physics", "rendering", "writing"}
+    assert {"planning", "physics", "rendering", "writing"} <= set(collected["cpu_seconds_per_demonstration"])
     assert result_of("bench", "render", "stack", "--episodes", "3")["frame_ms"]["agentview"]["median"] > 0
     assert result_of("bench", "step", "stack", "--episodes", "1")["step_ms"]["median"] > 0
     assert result_of("bench", "action", "stack")["action_ms"]["median"] > 0
@@ -107,7 +107,7 @@ def test_bench_of_a_preset_needs_no_task_and_no_data() -> None:
     step = result_of("bench", "step", "--preset", "quick", "--rounds", "1")
     assert {"speedup_independent", "speedup_chunked", "gradient_seconds", "update_seconds"} <= set(step)
     assert step["gradient_difference"] < 0.2
-    action = result_of("bench", "action", "--preset", "quick", "--rounds", "1")
+    action = result_of("bench", "action", "--preset", "quick", "--rounds", "1", "--no-compile")
     assert action["speedup"] > 1 and action["difference"] < 1e-4
     assert "leave out stack" in refused("bench", "step", "stack", "--preset", "quick")
     assert "optimus-30m" in refused("bench", "step", "--preset", "optimus-3m")

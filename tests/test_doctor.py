@@ -66,6 +66,13 @@ def test_a_machine_without_the_robots_files_and_without_gl(tmp_path: Path) -> No
     assert findings["renderer"]["verdict"] == "broken" and "apt-get install libegl1" in findings["renderer"]["mend"]
 
 
+def test_other_verbs_send_to_the_doctor() -> None:
+    command = [sys.executable, "-m", "optimus.cli", "show", "stack"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "MUJOCO_GL": "absent"})
+    assert done.returncode == 2 and "Traceback" not in done.stderr
+    assert "MUJOCO_GL: absent" in done.stderr and "optimus doctor" in done.stderr
+
+
 def test_without_a_robot_the_renderer_is_tried_with_a_plain_scene() -> None:
     found = drawing.renderer(with_robot=False)
     assert found.verdict == "works" and found.figures["colours"] > 2

@@ -39,7 +39,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return make_dataset(tmp_path_factory.mktemp("data"), 4, 12).path
 
 
-WIDE = {name: np.zeros((12, 8), np.float32) for name in ("actions", "executed")}
+WIDE: dict[str, Any] = {name: np.zeros((12, 8), np.float32) for name in ("actions", "executed")}
 
 
 def other_dataset(

@@ -21,12 +21,15 @@ from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
 from optimus.errors import OptimusError, UnknownNameError
+from optimus.learn import checkpoint
+from optimus.learn.agent import PolicyAgent
 from optimus.learn.train import TrainConfig, train
 from optimus.motion.plan import Infeasible, Plan
 from optimus.tasks import task
 from optimus.view import Address, View, open_view
 from optimus.view.episode_view import EpisodeView
 from optimus.view.meshes import surfaces
+from optimus.view.policy_view import Fans
 from optimus.view.scene_view import SceneView
 from optimus.view.timeline import timeline
 
@@ -210,9 +213,20 @@ def test_a_policy_live(run: Path) -> None:
                 before = time.inner_text()
                 opened.wait_for_timeout(2500)
                 assert float(time.inner_text().split()[1]) > float(before.split()[1])
-                keep(opened, "view-policy")
                 assert wrong == []
         finally:
             served.send_signal(signal.SIGINT)
         assert served.wait(20) == 130
         assert "Traceback" not in (served.stderr.read() if served.stderr else "")
+
+
+def test_the_fan_is_the_mixture_that_the_policy_acted_on(run: Path, data: Path) -> None:
+    """What a policy does that takes the likeliest component is the mean of greatest weight in the fan."""
+    policy = checkpoint.load(run)
+    fans, episode = Fans(policy.modules()), EpisodeStore.open(data).read(1)
+    action = PolicyAgent(policy, "likeliest").act({k: v[0] for k, v in episode.observations.items()})
+    mixture = fans.latest
+    assert mixture is not None
+    best = int(mixture.logits.reshape(-1).argmax())
+    mean = policy.denormalise(mixture.mean.reshape(-1, *mixture.mean.shape[-2:])[-1])[best]
+    assert np.allclose(mean[:3].numpy(), action[:3], atol=1e-6)

@@ -160,7 +160,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     if config.expert.law.gripper != BINARY:
         about["gripper"] = config.expert.law.gripper
     if config.turns is not None:
-        about["turns"] = {**asdict(config.turns), "policy": config.turns.policy.name}
+        about["turns"] = config.turns.record
     return EpisodeStore.create(config.out, task.name, cameras, about)
 
 
@@ -206,7 +206,7 @@ def _work(
     with executor(workers, config.backend) as pool:
         try:
             while tally.successes < config.episodes:
-                if config.turns is None:
+                if config.max_seconds == math.inf:
                     _require_hope(tally)
                 late = time.perf_counter() > until
                 if late and not pending:

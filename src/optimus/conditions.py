@@ -28,7 +28,8 @@ PUSH_AT = (10, 60)
 """First and last step (of 50 ms) at which a push may come; where everything is held then, it comes as soon as something is not."""
 PUSH_SPEED = 0.6
 """[m/s]; with the friction of the objects on the table a block of 4 cm then slides or tumbles on by some 2 cm."""
-SLIP_AFTER = (4, 20)
+SLIP_AFTER = (10, 25)
+"""Steps; the first few are the gripper's own, on what the thing stands on."""
 SLIP_STEPS = 4
 SLIP_FORCE_LEFT = 0.0
 """Share of the fingers' force that is left while they slip."""

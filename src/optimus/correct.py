@@ -1,11 +1,13 @@
 """Correction: the policy acts, the expert says what it would have done (the idea of DAgger, Ross et al. 2011).
 
 A perturbation finds the states that noise leads to; only the policy finds those that its own errors lead to. Policy and expert take
-turns, so that most episodes still end in success and pass for demonstrations: their labels are the expert's throughout.
+turns, so that most episodes still end in success and pass for demonstrations: their labels are the expert's throughout, who plans
+again from what the policy has done (`closed_loop.SHARED`).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -32,6 +34,14 @@ class Turns:
     """Mean length of its turns."""
     expert_steps: float = 12.0
     """Mean length of the expert's."""
+    policy_until: int | None = None
+    """From a step drawn up to this one on the expert acts alone, so that the episode comes to its end; None: never."""
+
+    @property
+    def record(self) -> dict[str, object]:
+        """What a dataset says about it, JSON-able: of the policy its folder's name."""
+        said = {**vars(self), "policy": self.policy.name}
+        return {name: value for name, value in said.items() if value is not None}
 
 
 @lru_cache(maxsize=1)
@@ -64,9 +74,15 @@ class Corrections:
         self._agent = _agent(turns.policy)
         self._agent.reset(int(rng.integers(2**31)))
         self._policys = bool(rng.uniform() < 0.7)
+        until = turns.policy_until
+        self._left = math.inf if until is None else float(rng.integers(1, until + 1))
+        """Steps until the expert acts alone."""
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the expert's action `(n,)`."""
+        self._left -= 1
+        if self._left < 0:
+            return np.zeros(label.shape)
         answer = self._agent.act(observation).astype(np.float64)
         mean = self.turns.policy_steps if self._policys else self.turns.expert_steps
         if self._rng.uniform() < 1.0 / mean:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from optimus.closed_loop import ClosedLoop
+from optimus.closed_loop import ALONE, SHARED, ClosedLoop
 from optimus.data.episode import Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.expert import TimeLaw
@@ -33,6 +33,18 @@ class ExpertConfig:
     perturbation: Perturbation | None = None
     check: bool = False
     """Have every plan validated before it is carried out; an invalid one is a failure."""
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> ExpertConfig:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        pushed = value["perturbation"]
+        return cls(
+            Style(**value["style"]),
+            TimeLaw(**value["law"]),
+            Budget(**value["budget"]),
+            None if pushed is None else Perturbation(**pushed),
+            value.get("check", False),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +115,8 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget)
+    watch = ALONE if meddler is None else SHARED
+    expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, watch)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
@@ -122,6 +135,7 @@ def _facts(expert: ClosedLoop, plan: Plan) -> dict[str, Any]:
     return {
         "retries": len(expert.retries),
         "retried_because": expert.retries,
+        "stale_labels": expert.stale,
         "tracking_error": {"median": float(np.median(errors)), "max": float(errors.max())},
         "learned": plan.stats["learned"],
     }

@@ -110,7 +110,7 @@ class Start:
     objects: str | None = None
     """What to do the task with (see `optimus.tasks.task`); None: what the policy was trained with, empty: the task's own."""
     task: str | None = None
-    """Which of its tasks a policy of several is to do."""
+    """Of a policy of several tasks: which; None: its first."""
 
 
 def validation_starts(dataset: Path, episodes: int) -> list[Start]:
@@ -187,13 +187,11 @@ def _actors(
 
 
 def _task_of(trained: str, asked: str | None, run: Path) -> str:
-    """Which task to do; `CheckpointError` if the policy was not trained for it, or for several and none is named."""
+    """Which task to do, the first where none is asked for; `CheckpointError` if the policy was not trained for it."""
     known = checkpoint.tasks_of(trained)
-    if asked is None and len(known) > 1:
-        raise CheckpointError(f"{run} was trained for {', '.join(known)}; say which one to evaluate with --task")
     if asked is not None and asked not in known:
         raise CheckpointError(f"{run} was trained for {', '.join(known)}, not for {asked!r}; name one of these")
-    return asked or "".join(known)
+    return asked or next(iter(known))
 
 
 class _Witness:

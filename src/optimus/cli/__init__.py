@@ -48,6 +48,11 @@ def main() -> None:
     except OptimusError as error:
         sys.stderr.write(f"optimus: {error}\n")
         raise SystemExit(2) from None
+    except RuntimeError as error:
+        if "MUJOCO_GL" not in str(error):  # MuJoCo's own word for a GL library that there is not, as it is imported
+            raise
+        sys.stderr.write(f"optimus: {error}; `optimus doctor` says what to do\n")
+        raise SystemExit(2) from None
     except KeyboardInterrupt:
         sys.stderr.write("optimus: interrupted; the same command goes on from here\n")
         raise SystemExit(130) from None

@@ -32,6 +32,7 @@ def bench(
     task: TaskOrNone = None,
     preset: PresetName | None = None,
     rounds: int = 5,
+    compile: bool = True,
     episodes: int = 20,
     seed: FirstSeed = 0,
     workers: Workers = 1,
@@ -60,6 +61,7 @@ def bench(
     Args:
         preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
         rounds: with --preset: how often a step is timed (an action: ten times as often)
+        compile: with action --preset: time it compiled as well, which takes a minute to begin with
         episodes: how many to run (for render, action and read: frames, actions, batches)
         check: with expert: validate every plan independently, and count the invalid ones as failures
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
@@ -76,7 +78,7 @@ def bench(
     if preset is not None:
         if task is not None:
             raise OptimusError(f"--preset {preset} is measured on made-up data; leave out {task}")
-        say(result := _of_preset(what, preset, rounds, seed), json, table(result))
+        say(result := _of_preset(what, preset, rounds, seed, compile), json, table(result))
         return
     if task is None:
         raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
@@ -87,7 +89,7 @@ def bench(
     say(result, json, table(result))
 
 
-def _of_preset(what: str, preset: str, rounds: int, seed: int) -> dict[str, Any]:
+def _of_preset(what: str, preset: str, rounds: int, seed: int, compile: bool) -> dict[str, Any]:
     from optimus.bench.policy import bench_gradient_step, bench_policy_action
 
     if what not in ("step", "action"):
@@ -98,4 +100,4 @@ def _of_preset(what: str, preset: str, rounds: int, seed: int) -> dict[str, Any]
     with bar(rounds, f"bench {what} {preset}", "round") as shown:
         if what == "step":
             return bench_gradient_step(preset, rounds, seed, counter(shown))
-        return bench_policy_action(preset, rounds, seed, counter(shown))
+        return bench_policy_action(preset, rounds, seed, compile, counter(shown))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -21,24 +22,25 @@ from optimus.cli.options import (
     Workers,
     chosen_robot,
 )
-from optimus.cli.output import bar, counter, rate, say
+from optimus.cli.output import StageBars, bar, counter, rate, say
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from optimus.evaluate import Start
+    from optimus.learn.policy import PolicyConfig
     from optimus.learn.recipe import TrainConfig
     from optimus.learn.train import Progress
 
 Episodes = Annotated[int, arg(help="how many to play")]
-ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy of another task; of several, the one to do")]
+ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy that was not trained for it; of several: which")]
 
 
 def train(
     datasets: Datasets,
     out: Path,
-    minutes: float = 10.0,
+    minutes: float | None = None,
     steps: int | None = None,
     seed: int = 0,
     preset: PresetName = "quick",
@@ -53,6 +55,11 @@ def train(
     board: Literal["tensorboard", "wandb", "none"] = "tensorboard",
     corrections: tuple[Path, ...] = (),
     initial: Path | None = None,
+    dagger: int = 0,
+    dagger_episodes: int = 50,
+    dagger_plain: bool = False,
+    dagger_evaluations: int = 50,
+    workers: Workers = 0,
     json: Json = False,
 ) -> None:
     """Train a policy on one dataset or several by behaviour cloning; a second call goes on where the first was stopped.
@@ -62,11 +69,12 @@ def train(
         optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
+        optimus train data/stack --out runs/stack --steps 3000 --dagger 2 --dagger-episodes 50
         torchrun --nproc-per-node 2 -m optimus.cli train data/stack --out runs/stack --steps 5000
 
     Args:
         out: the run's folder
-        minutes: time to train for; the learning rate anneals over it
+        minutes: time to train for; the learning rate anneals over it; 10 unless --steps or the recipe say how many
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
         preset: the network
@@ -82,7 +90,12 @@ def train(
         board: where the figures can be watched: `tensorboard --logdir OUT`, or Weights & Biases
         corrections: further datasets, from `optimus collect --policy`, to train on as well
         initial: a run folder whose weights to begin with
+        dagger: rounds in which the newest policy acts, the planner answers from wherever that led, and training goes on
+        dagger_episodes: successful episodes that each round adds
+        dagger_plain: add as many demonstrations by the expert alone instead, for comparison
+        dagger_evaluations: episodes in which success is measured before and after each round
     """
+    from optimus.learn.policy import PolicyConfig
     from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
@@ -92,6 +105,11 @@ def train(
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
+    if dagger > 0:
+        _require_plain_lesson(datasets, corrections, initial, observe)
+        rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
+        _rounds(datasets[0], out, asked.config, rounds, None if chosen.policy == PolicyConfig() else chosen.policy, json)
+        return
     with bar(None, "train", "step", silent=not is_first()) as shown:
         policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
     if is_first():
@@ -99,11 +117,40 @@ def train(
         say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
 
 
+def _require_plain_lesson(
+    datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None, observe: Literal["images", "state"]
+) -> None:
+    """`DatasetError` for what does not go with --dagger."""
+    from optimus.errors import DatasetError
+
+    if len(datasets) != 1 or corrections or initial or observe == "state" or int(os.environ.get("WORLD_SIZE", "1")) > 1:
+        raise DatasetError("--dagger takes one dataset and one process, without --corrections, --initial and --observe state")
+
+
+def _rounds(
+    dataset: Path,
+    out: Path,
+    lesson: TrainConfig,
+    rounds: tuple[int, int, bool, int, int],
+    network: PolicyConfig | None,
+    json: bool,
+) -> None:
+    from optimus.dagger import DaggerConfig, dagger
+
+    bars = StageBars()
+    try:
+        report = dagger(dataset, out, lesson, DaggerConfig(*rounds), bars, network)
+    finally:
+        bars.close()
+    lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]
+    say({"run": str(out), **report}, json, "\n".join(lines))
+
+
 @dataclass(frozen=True)
 class Asked:
     """What the options of `train` say about how."""
 
-    minutes: float
+    minutes: float | None
     steps: int | None
     seed: int
     recipe: str
@@ -123,8 +170,8 @@ class Asked:
         optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
         return replace(
             base,
-            steps=base.steps if self.steps is None else self.steps,
-            minutes=self.minutes,
+            steps=self.steps if self.steps is not None or self.minutes is not None else base.steps,
+            minutes=base.minutes if self.minutes is None else self.minutes,
             seed=self.seed,
             loss=loss,
             optimiser=optimiser,

@@ -23,7 +23,7 @@ class Style:
     """The straight way back from a release [m]: the hand is clear of the thing (`HAND_CLEAR`) even while the arm lags behind."""
     corridor: float = 0.15
     """Fixtures this near to the way sideways are passed over [m]."""
-    hop: float = 0.04
+    hop: float = 0.02
     """Under a roof, what is held is carried this far above its support [m]."""
     lift_off: float = 0.02
     """... after it has been lifted straight up by this [m]."""

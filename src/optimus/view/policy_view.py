@@ -40,7 +40,7 @@ class PolicyView:
         inputs = self._agent.policy.inputs
         self._task = task_named(inputs.task)
         self._env = ManipulationEnv(self._task, control=inputs.control, robot=trained_robot(run, robot))
-        self._fans = _Fans(self._agent.policy.modules()) if inputs.control != "joint" else None
+        self._fans = Fans(self._agent.policy.modules()) if inputs.control != "joint" else None
         gui = server.gui
         self._seed = gui.add_number("seed", seed, min=0, step=1, hint="which fresh problem")
         self._again = gui.add_button("start again")
@@ -50,19 +50,22 @@ class PolicyView:
         self._seed.on_update(lambda _: self._wanted.set())
         self._again.on_click(lambda _: self._wanted.set())
         self.steps, self.outcome = 0, "at work"
-        threading.Thread(target=self._run, daemon=True).start()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
 
     def close(self) -> None:
-        """End the thread that plays."""
+        """End the thread that plays, and wait for it: the process must not end in the middle of a picture."""
         self._closed.set()
         self._wanted.set()
+        self._thread.join()
 
     def _run(self) -> None:
         torch.set_num_threads(1)
         while not self._closed.is_set():
             self._wanted.clear()
             self._play(RANDOM_SEEDS_FROM + int(self._seed.value))
-            self._wanted.wait()
+            if not self._closed.is_set():
+                self._wanted.wait()
 
     def _play(self, seed: int) -> None:
         """One episode; ends early if another is wanted."""
@@ -70,7 +73,7 @@ class PolicyView:
         self._agent.reset(seed)
         self.stage = Stage(self._server, self._env.world, self._task)
         self.steps, self.outcome, over = 0, "at work", False
-        while not over and not self._wanted.is_set():
+        while not (over or self._wanted.is_set() or self._closed.is_set()):
             began = time.perf_counter()
             action = self._agent.act(observation)
             self._show(observation)
@@ -101,8 +104,8 @@ class PolicyView:
         return means[:, :3].numpy().astype(float) * POSITION_SCALE, weights.numpy().astype(float)
 
 
-class _Fans:
-    """Keeps the newest mixture that a head of the policy gave; none if it has no such head."""
+class Fans:
+    """Keeps the newest mixture that a head among `modules` gave; none if there is no such head."""
 
     def __init__(self, modules: Any) -> None:
         self.latest: Mixture | None = None

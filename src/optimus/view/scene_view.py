@@ -109,6 +109,8 @@ class SceneView:
         each = len(_fork(Pose.of()))
         colours: list[Rgb] = [ACCEPTED] * (each * len(accepted)) + [REFUSED] * (each * len(refused))
         self.stage.lines("grasps", forks, colours)
+        if poses:
+            self._ghosts.value = False  # they stand where the forks do
         counts = Counter(why for _, why in refused)
         self._about_grasps.content = "" if thing == NOTHING else words.grasps(thing, len(accepted), counts)
 
@@ -134,7 +136,10 @@ def _reason(workspace: Workspace) -> str:
     if not workspace.failures:
         return "no configuration of the arm"
     _, blocked = workspace.failures[-1]
-    return f"{blocked.a} would meet {blocked.b}" if blocked.b != "its joint limits" else "out of the joints' reach"
+    if blocked.b == "its joint limits":
+        return "out of the joints' reach"
+    first, second = sorted((blocked.a, blocked.b), key=lambda name: name != "robot")
+    return f"{first} would meet {second}"
 
 
 def _fork(grasp: Pose) -> Array:

@@ -55,7 +55,7 @@ def open_view(target: str, seed: int = 0, address: Address | None = None, robot:
     show = _shower(target, seed, robot)
     _require_free(address)
     with redirect_stdout(io.StringIO()):  # its banner; what is said on standard output is for the command line to say
-        server = viser.ViserServer(host=address.host, port=address.port, label=f"optimus: {target}", verbose=False)
+        server = viser.ViserServer(host=address.host, port=address.port, label=f"optimus: {Path(target).name}", verbose=False)
     server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
     try:
         return View(server, address, show(server))

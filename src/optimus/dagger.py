@@ -1,0 +1,191 @@
+"""DAgger with the planner as teacher (Ross et al. 2011): round by round the newest policy acts, the expert plans on from wherever
+that led and answers, and training goes on with those answers too. Nobody has to be asked: the expert is a program.
+
+    RUN/                      a policy, trained on the demonstrations alone
+    RUN/dagger/1/data/        episodes in which it acted and the expert answered
+    RUN/dagger/1/policy/      trained on from its weights, on demonstrations and answers
+    RUN/dagger/2/data/ ...    the same of that policy
+    RUN/dagger.json           success before and after each round
+
+With `plain`, the expert acts alone instead (`RUN/plain/...`, `RUN/plain.json`): what as many more demonstrations are worth.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from optimus.collect import CollectConfig, collect
+from optimus.correct import Turns
+from optimus.data.atomic import write_json
+from optimus.data.curate import load_curation
+from optimus.data.store import EpisodeStore
+from optimus.demonstrate import ExpertConfig
+from optimus.errors import DatasetError
+from optimus.evaluate import evaluate, trained_robot, validation_starts
+from optimus.learn.policy import PolicyConfig
+from optimus.learn.train import Progress, TrainConfig, train
+
+SEEDS_FROM = 100_000_000
+"""Seeds of the episodes added start here, far from those of demonstrations, corrections and evaluations."""
+SEEDS_A_RUN, SEEDS_A_ROUND = 10_000_000, 100_000
+ROUND_SHARE = 0.5
+"""Of the first policy's training, for each round's."""
+RATE_SHARE = 2 / 3
+"""Of the first policy's first learning rate, likewise: the weights are not random any more."""
+ALONE_FROM = 1.5
+"""The expert acts alone from a step drawn up to this many times a demonstration's mean length: so episodes come to their end."""
+
+StageProgress = Callable[[str, int, int, dict[str, str]], None]
+"""`(stage, done, total, notes)`"""
+
+
+@dataclass(frozen=True)
+class DaggerConfig:
+    """How often, and with how many episodes."""
+
+    rounds: int
+    episodes: int = 50
+    """Successful episodes added in each round."""
+    plain: bool = False
+    """Add demonstrations by the expert alone."""
+    evaluations: int = 50
+    """Episodes, from validation states, in which success is measured before and after each round."""
+    workers: int = 0
+
+    @property
+    def name(self) -> str:
+        """Of the folder and of the report."""
+        return "plain" if self.plain else "dagger"
+
+
+def dagger(
+    dataset: Path,
+    run: Path,
+    lesson: TrainConfig,
+    config: DaggerConfig,
+    progress: StageProgress = lambda *_: None,
+    network: PolicyConfig | None = None,
+) -> dict[str, Any]:
+    """Train `run` on `dataset`, then the rounds; goes on where it was stopped. Returns the report, JSON-able.
+
+    A function of `dataset`, `lesson` and `config` where `lesson` is a number of steps, for any number of workers.
+    """
+    rounds = _Rounds(dataset, run, lesson, config, progress, network)
+    for number in range(config.rounds + 1):
+        rounds.do(number)
+    return rounds.report
+
+
+class _Rounds:
+    def __init__(
+        self,
+        dataset: Path,
+        run: Path,
+        lesson: TrainConfig,
+        config: DaggerConfig,
+        progress: StageProgress,
+        network: PolicyConfig | None,
+    ) -> None:
+        self.network = network
+        self.dataset, self.run, self.lesson, self.config, self.progress = dataset, run, lesson, config, progress
+        self.store = EpisodeStore.open(dataset)
+        asked = {"dataset": dataset.name, "task": self.store.task, "train": asdict(lesson), **asdict(config)}
+        if network is not None:
+            asked["policy"] = asdict(network)
+        del asked["rounds"], asked["workers"]  # more rounds may be asked for later, and the outcome depends on no workers
+        self.file = run / f"{config.name}.json"
+        self.report: dict[str, Any] = {"config": json.loads(json.dumps(asked)), "rounds": []}
+        if self.file.exists():
+            self._go_on()
+
+    def _go_on(self) -> None:
+        there = json.loads(self.file.read_text())
+        for key, wanted in self.report["config"].items():
+            if there["config"].get(key) != wanted:
+                raise DatasetError(
+                    f"{self.file} was begun with {key} = {there['config'].get(key)!r}, not {wanted!r}; "
+                    "use the same settings or another folder"
+                )
+        self.report = there
+
+    def data(self, number: int) -> Path:
+        """The episodes added in a round."""
+        return self.run / self.config.name / str(number) / "data"
+
+    def policy(self, number: int) -> Path:
+        """What came of a round; of round 0 the first policy."""
+        return self.run / self.config.name / str(number) / "policy" if number else self.run
+
+    def do(self, number: int) -> None:
+        """One round, unless it has been done; each of its stages goes on where it was stopped."""
+        if number < len(self.report["rounds"]):
+            return
+        added = self._collect(number) if number else {}
+        self._train(number)
+        curation = load_curation(self.dataset)
+        row = {
+            "round": number,
+            "policy": str(self.policy(number).relative_to(self.run)),
+            "demonstrations": len(curation.train) + number * self.config.episodes,
+            **added,
+            "success": self._evaluate(number),
+        }
+        self.report["rounds"].append(row)
+        write_json(self.file, self.report)
+
+    def _collect(self, number: int) -> dict[str, Any]:
+        before, wanted = self.policy(number - 1), self.config.episodes
+        length = np.mean([header.steps for header in self.store.headers()])
+        turns = None if self.config.plain else Turns(before, policy_until=round(ALONE_FROM * length))
+        asked = CollectConfig(
+            self.store.task,
+            self.data(number),
+            wanted,
+            SEEDS_FROM + SEEDS_A_RUN * self.lesson.seed + SEEDS_A_ROUND * number,
+            self.config.workers,
+            ExpertConfig.from_json(self.store.config["expert"]),
+            turns,
+            control=self.store.control,
+            robot=trained_robot(before),
+        )
+        stage = f"round {number}: {'demonstrate' if self.config.plain else 'correct'}"
+        result = collect(asked, lambda tally: self.progress(stage, tally.successes, wanted, {}))
+        added = EpisodeStore.open(self.data(number))
+        acted = [np.any(e.actions != e.executed, axis=1).mean() for e in map(added.read, added.seeds)]
+        replanned = [added.header(seed).info["retries"] for seed in added.seeds]
+        return {
+            "attempts": result.attempts,
+            "failures": result.failures,
+            "share_not_by_expert": float(np.mean(acted)),
+            "planned_again": int(np.sum(replanned)),
+        }
+
+    def _train(self, number: int) -> None:
+        lesson, first = self.lesson, self.lesson.rate.first
+        if number:
+            rate = replace(lesson.rate, first=RATE_SHARE * first)
+            steps = None if lesson.steps is None else max(1, round(ROUND_SHARE * lesson.steps))
+            lesson = replace(lesson, steps=steps, minutes=ROUND_SHARE * lesson.minutes, rate=rate)
+
+        def report(p: Progress) -> None:
+            shown = ("loss", "held_out_action_error_mm")
+            notes = {k: f"{p.metrics[k]:.3g}" for k in shown if k in p.metrics}
+            self.progress(f"round {number}: train" if number else "train", p.step, p.steps, notes)
+
+        more = [self.data(k) for k in range(1, number + 1)]
+        train(self.dataset, self.policy(number), lesson, self.network, report, more, self.policy(number - 1) if number else None)
+
+    def _evaluate(self, number: int) -> dict[str, Any]:
+        starts = validation_starts(self.dataset, self.config.evaluations)
+
+        def note(done: int, successes: int) -> None:
+            self.progress(f"round {number}: evaluate", done, len(starts), {"successes": str(successes)})
+
+        found = evaluate(self.policy(number), starts, "validation", self.lesson.seed, self.config.workers, progress=note)
+        return {k: v for k, v in found.as_dict().items() if k not in ("task", "states", "outcomes")}
