@@ -22,7 +22,7 @@ def played(seed: int, conditions: Conditions) -> tuple[Attempt, Mishap, list[np.
         places.append(env.object_positions())
         speeds.append(np.array([env.data.qvel[at : at + 3].copy() for at in env.world.movable_dof.values()]))
 
-    return demonstrate(env, seed, ExpertConfig(), watch=watch), mishap, places, speeds
+    return demonstrate(env, seed, ExpertConfig(), mishap=watch), mishap, places, speeds
 
 
 def test_under_usual_conditions_nothing_happens() -> None:
