@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: setup demo test check bench stubs
+.PHONY: setup demo test check bench docs gallery screenshots stubs
 
 setup: $(READY)
 
@@ -28,6 +28,16 @@ bench: $(READY)
 	$(BIN)/optimus bench step stack
 	$(BIN)/optimus bench action stack
 	$(BIN)/optimus bench render stack
+
+docs: $(READY)  # the site, in build/site
+	$(BIN)/python scripts/make_reference
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+
+gallery: $(READY)  # the films of docs/gallery.md
+	$(BIN)/python scripts/make_gallery
+
+screenshots: $(READY)  # the viewer's pictures in docs/images
+	OPTIMUS_SCREENSHOTS=docs/images $(BIN)/pytest -n 0 tests/test_view.py
 
 stubs: $(READY)  # MuJoCo's wheel has no type stubs; run this after moving to another version of it
 	$(BIN)/pip install --quiet pybind11-stubgen && $(BIN)/python scripts/make_stubs

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 from PIL import Image
+from safetensors.numpy import load_file
 
 from optimus.collect import CollectConfig, collect
 from optimus.control import CONTROLS
 from optimus.tasks import TASKS
+from synthetic import make_dataset
 
 
 def optimus(*args: str) -> subprocess.CompletedProcess[str]:
@@ -33,7 +35,7 @@ def refused(*args: str) -> str:
 
 def test_tasks_and_help() -> None:
     assert {t["name"] for t in result_of("tasks")["tasks"]} == set(TASKS)
-    for verb in ("show", "collect", "train", "evaluate", "run", "bench"):
+    for verb in ("show", "collect", "dataset", "export", "import", "train", "evaluate", "export-policy", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
 
@@ -101,6 +103,30 @@ def test_bench_collect_render_step_and_action() -> None:
     assert result_of("bench", "action", "stack")["action_ms"]["median"] > 0
 
 
+def test_bench_of_a_preset_needs_no_task_and_no_data() -> None:
+    step = result_of("bench", "step", "--preset", "quick", "--rounds", "1")
+    assert {"speedup_independent", "speedup_chunked", "gradient_seconds", "update_seconds"} <= set(step)
+    assert step["gradient_difference"] < 0.2
+    action = result_of("bench", "action", "--preset", "quick", "--rounds", "1")
+    assert action["speedup"] > 1 and action["difference"] < 1e-4
+    assert "leave out stack" in refused("bench", "step", "stack", "--preset", "quick")
+    assert "optimus-30m" in refused("bench", "step", "--preset", "optimus-3m")
+    assert "TASK" in refused("bench", "step")
+    assert "bench action" in refused("bench", "render", "--preset", "quick")
+
+
+def test_a_preset_with_another_head_is_trained_and_exported(tmp_path: Path) -> None:
+    data, run = tmp_path / "data", tmp_path / "run"
+    make_dataset(data, 4, 12)
+    chosen = ("--preset", "quick-mlp", "--head", "gaussian", "--observe", "state", "--board", "none")
+    result = result_of("train", str(data), "--out", str(run), "--steps", "2", *chosen)
+    count = sum(array.size for array in load_file(run / "model.safetensors").values())
+    assert 0 < count - result["parameters"] < 200  # besides the weights there is only the normalisation
+    assert "quick-rnn" in refused("train", str(data), "--out", str(run), "--preset", "quick-lstm")
+    pytest.importorskip("onnxscript", reason="needs the extra `onnx`")
+    assert result_of("export-policy", str(run), "--onnx", str(tmp_path / "policy.onnx"))["bytes"] > 4 * result["parameters"]
+
+
 def test_show_writes_pictures(tmp_path: Path) -> None:
     for extra in ([], ["--plan"]):
         out = tmp_path / f"{len(extra)}.png"
@@ -120,3 +146,18 @@ def test_the_stages_one_by_one(tmp_path: Path) -> None:
     assert found["episodes"] == 2 and len(found["interval"]) == 2
     assert len(list(films.glob("*.mp4"))) == 2
     assert "pick-place" in refused(*args, "--task", "pick-place")
+
+
+def test_data_sets_come_and_go(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    data, file = str(taught[0]), str(tmp_path / "d.hdf5")
+    assert result_of("export", "robomimic", data, "--out", file, "--no-next-obs")["states"] is True
+    assert "--overwrite" in refused("export", "robomimic", data, "--out", file)
+    assert "robomimic" in refused("export", "lerobot", data, "--out", str(tmp_path / "l"), "--compress")
+    assert result_of("import", "robomimic", file, "--out", str(tmp_path / "back"))["task"] == "stack"
+    assert result_of("export", "lerobot", str(tmp_path / "back"), "--out", str(tmp_path / "l"))["instructions"] == 1
+    about = result_of("dataset", str(tmp_path / "back"), "--html", str(tmp_path / "page.html"))
+    assert about["episodes"] == 4 and list(about["instructions"]) == ["put the red block on the green block"]
+    assert (tmp_path / "page.html").read_text().startswith("<!DOCTYPE html>")
+    assert result_of("dataset", data, "--play", "0", "--out", str(tmp_path / "0.mp4"))["frames"] > 50
+    assert "it holds" in refused("dataset", data, "--play", "77")
+    assert "not a dataset" in refused("dataset", str(tmp_path))

@@ -1,24 +1,23 @@
 """Collection: the same data for any number of workers, and nothing lost or torn when it is killed."""
 
+import errno
 import os
-import random
 import shutil
-import signal
 import subprocess
-import sys
-import time
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
-from safetensors.numpy import load_file
 
-from optimus.collect import CollectConfig, collect
+from kills import contents, disturb
+from optimus.collect import MOST_BROKEN, CollectConfig, collect
+from optimus.data.atomic import is_leftover
 from optimus.data.store import EpisodeStore
-from optimus.errors import DatasetError, StorageError, UnknownNameError
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {p.name: p.read_bytes() for p in sorted((folder / "episodes").iterdir())}
+from optimus.demonstrate import Attempt, demonstrate
+from optimus.env import ManipulationEnv
+from optimus.errors import DatasetError, StorageError, UnknownNameError, WorkerError
 
 
 def test_any_number_of_workers_gives_the_same_files(tmp_path: Path) -> None:
@@ -28,33 +27,114 @@ def test_any_number_of_workers_gives_the_same_files(tmp_path: Path) -> None:
     assert contents(tmp_path / "one") == contents(tmp_path / "two")
 
 
-def run_until_killed(folder: Path, seconds: float, episodes: int) -> bool:
-    """Whether the collection ended by itself before its time was up."""
-    command = [sys.executable, "-m", "optimus.cli", "collect", "stack", "--out", str(folder)]
-    command += ["--episodes", str(episodes), "--workers", "1"]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs /proc")
+def test_killed_at_random_moments_it_ends_with_what_was_asked_for(tmp_path: Path) -> None:
+    """A worker once, and then the parent; `python tests/kills.py` does fifty."""
+    kills = disturb(tmp_path / "killed", 24, moments=2, seed=1, longest=1.0)
+    assert kills.parents and kills.workers
+    collect(CollectConfig("stack", tmp_path / "whole", 24, workers=1, images=False))
+    assert contents(tmp_path / "killed") == contents(tmp_path / "whole")
+
+
+def test_workers_that_are_always_killed_are_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    attempts = []
+
+    def killed(config: CollectConfig, seed: int) -> None:
+        attempts.append(seed)
+        raise BrokenProcessPool("killed")
+
+    monkeypatch.setattr("optimus.collect._attempt", killed)
+    with pytest.raises(WorkerError, match="fewer --workers"):
+        collect(CollectConfig("stack", tmp_path, 1, workers=1, images=False))
+    assert len(attempts) == MOST_BROKEN and len(set(attempts)) == 1
+
+
+@pytest.mark.parametrize("room", [200, 400])
+def test_a_full_disk_stops_it_clearly_and_room_lets_it_go_on(tmp_path: Path, room: int) -> None:
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={room}k", "tmpfs", str(disk)], capture_output=True).returncode:
+        pytest.skip("needs the right to mount")
     try:
-        return process.wait(seconds) == 0
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        return False
+        config = CollectConfig("stack", disk / "data", 16, workers=1 if room == 200 else 2, images=False)
+        with pytest.raises(StorageError, match=r"No space left on device.*whole: make room"):
+            collect(config)
+        store = EpisodeStore.open(disk / "data")
+        had = contents(disk / "data")
+        assert 0 < len(store.seeds) < 16 and all(store.read(seed).success for seed in store.seeds)
+        assert not [p for p in disk.rglob("*") if is_leftover(p)]
+        subprocess.run(["mount", "-o", "remount,size=8m", str(disk)], check=True)
+        assert collect(config).demonstrations == 16
+        assert contents(disk / "data").items() > had.items()
+    finally:
+        subprocess.run(["umount", str(disk)], check=True)
 
 
-def test_killed_and_restarted_it_ends_with_what_was_asked_for(tmp_path: Path) -> None:
-    moments, folder, wanted = random.Random(1), tmp_path / "data", 40
-    killed = [not run_until_killed(folder, moments.uniform(0.5, 2.5), wanted) for _ in range(20)]
-    assert sum(killed) > 10
-    while not run_until_killed(folder, 60.0, wanted):
-        pass
-    store = EpisodeStore.open(folder)
-    assert len(store.seeds) == wanted
-    assert not list(folder.rglob(".tmp-*"))
-    for seed in store.seeds:
-        episode = store.read(seed)
-        assert episode.success and len(episode) == len(load_file(store.episode_path(seed))["actions"])
-    whole = collect(CollectConfig("stack", tmp_path / "whole", wanted, workers=2))
-    assert whole.demonstrations == wanted and contents(folder) == contents(tmp_path / "whole")
+def test_a_write_that_fails_for_want_of_room_stops_it_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same without the right to mount: the write call itself says that the disk is full."""
+    config = CollectConfig("stack", tmp_path, 3, workers=1, images=False)
+    replace, times = Path.replace, []
+
+    def full(self: Path, target: Path) -> Path:
+        times.append(target)
+        if len(times) == 3:  # the description of the dataset, an episode, and then
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return replace(self, target)
+
+    with monkeypatch.context() as patch, pytest.raises(StorageError, match="No space left on device"):
+        patch.setattr(Path, "replace", full)
+        collect(config)
+    assert len(EpisodeStore.open(tmp_path).seeds) == 1
+    assert collect(config).new == 2
+
+
+def test_without_images_all_else_is_the_same(tmp_path: Path) -> None:
+    for images in (True, False):
+        collect(CollectConfig("stack", tmp_path / str(images), 2, workers=1, images=images))
+    with_images, without = (EpisodeStore.open(tmp_path / str(images)) for images in (True, False))
+    assert without.cameras == () and with_images.cameras
+    for seed in with_images.seeds:
+        a, b = with_images.read(seed), without.read(seed)
+        np.testing.assert_array_equal(a.actions, b.actions)
+        np.testing.assert_array_equal(a.states, b.states)  # pyright: ignore[reportArgumentType]
+        assert set(a.observations) - set(b.observations) == {f"{camera}_image" for camera in a.cameras}
+
+
+def test_states_are_what_was_seen(tmp_path: Path) -> None:
+    """The recorded rows, read by their columns, put the objects where the episode says they were."""
+    collect(CollectConfig("microwave", tmp_path, 1, workers=1, images=False))
+    store = EpisodeStore.open(tmp_path)
+    episode = store.read(store.seeds[0])
+    assert episode.states is not None and len(episode.states) == len(episode)
+    np.testing.assert_allclose(np.diff(episode.states[:, 0]), 0.05, atol=1e-9)
+    columns = episode.info["state_columns"]
+    for i, name in enumerate(episode.object_names):
+        at = columns["objects"][name]
+        np.testing.assert_allclose(episode.states[:, at : at + 3], episode.objects[:, i], atol=1e-6)
+        np.testing.assert_allclose(np.linalg.norm(episode.states[:, at + 3 : at + 7], axis=1), 1.0, atol=1e-6)
+    (door,) = columns["doors"].values()
+    assert episode.states[0, door] < 0.1 < episode.states[:, door].max()
+
+
+def test_progress_tells_of_failures_by_reason(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    real = demonstrate
+
+    def sometimes(env: ManipulationEnv, seed: int, *others: Any) -> Attempt:
+        return Attempt(seed, None, f"no plan: {seed % 3}", 0.1, {}) if seed % 2 else real(env, seed, *others)
+
+    monkeypatch.setattr("optimus.collect.demonstrate", sometimes)
+    seen = []
+    collect(CollectConfig("stack", tmp_path, 3, workers=1, images=False), lambda t: seen.append((t.successes, dict(t.failures))))
+    assert seen[0] == (0, {}) and seen[-1] == (3, {"no plan: 1": 1, "no plan: 0": 1})
+    collect(CollectConfig("stack", tmp_path, 4, workers=1, images=False), lambda t: seen.append((t.had, t.attempts)))
+    assert seen[-1] == (3, 7)
+
+
+def test_ray_gives_the_same_files(tmp_path: Path) -> None:
+    pytest.importorskip("ray")
+    collect(CollectConfig("stack", tmp_path / "ray", 4, workers=2, images=False, backend="ray"))
+    collect(CollectConfig("stack", tmp_path / "here", 4, workers=1, images=False))
+    assert contents(tmp_path / "ray") == contents(tmp_path / "here")
 
 
 def test_a_second_call_adds_to_the_first(tmp_path: Path) -> None:
@@ -69,6 +149,8 @@ def test_a_second_call_adds_to_the_first(tmp_path: Path) -> None:
 def test_bad_input_is_named_and_harms_nothing(tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError, match="stack"):
         collect(CollectConfig("stak", tmp_path / "a", 1))
+    with pytest.raises(UnknownNameError, match="local, ray"):
+        collect(CollectConfig("stack", tmp_path / "a", 1, backend="slurm"))
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     (foreign / "thesis.txt").write_text("precious")
@@ -87,19 +169,3 @@ def test_a_foreign_file_among_the_episodes_is_named(tmp_path: Path) -> None:
     shutil.copy(__file__, tmp_path / "data" / "episodes" / "00000099.safetensors")
     with pytest.raises(DatasetError, match="00000099"):
         EpisodeStore.open(tmp_path / "data").headers()
-
-
-@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs /proc")
-def test_workers_end_with_their_parent(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "optimus.cli", "collect", "stack", "--out", str(tmp_path / "d"), "--workers", "2"]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(6)
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    process.kill()
-    process.wait()
-    assert children
-    for _ in range(100):  # a worker that is still loading its modules notices only afterwards
-        if not [c for c in children if Path(f"/proc/{c}").exists()]:
-            return
-        time.sleep(0.2)
-    raise AssertionError(f"of {children} some are left")

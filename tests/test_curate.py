@@ -56,13 +56,11 @@ def test_the_longer_of_two_skeletons_is_kept(store: EpisodeStore) -> None:
 
 def test_the_workspace_and_the_tracking_error_are_limits(store: EpisodeStore) -> None:
     for seed in range(4):
-        write(store, seed)
-    wide = make_episode(4, 10, cameras=("front",))
+        write(store, seed, info={"tracking_error": {"median": 0.005, "max": 0.06}})
+    wide = make_episode(4, 10, cameras=("front",), info={"tracking_error": {"median": 0.005, "max": 0.01}})
     wide.observations["robot0_eef_pos"][5] = (0, 0, 0.9)
     store.write(wide)
-    lax = make_episode(5, 10, cameras=("front",))
-    lax.observations["robot0_target_error"] = np.full((10, 6), 0.05, np.float32)
-    store.write(lax)
+    write(store, 5, info={"tracking_error": {"median": 0.05, "max": 0.06}})
     config = CurationConfig(workspace_min=(-1, -1, -0.1), workspace_max=(1, 1, 0.5), max_tracking_error=0.01)
     assert curate(store.path, config).dropped == {4: "outside workspace", 5: "tracking error"}
     assert curate(store.path).dropped == {}
@@ -91,3 +89,51 @@ def test_initial_states_of_the_validation_split_are_kept(store: EpisodeStore) ->
     seed = curate(store.path).validation[0]
     made = make_episode(seed, 10, cameras=("front",))
     np.testing.assert_array_equal(store.header(seed).read("initial_state"), made.initial_state)
+
+
+def released_rule(lengths: dict[int, int], hands: dict[int, Any], sd: float, bounds: Any) -> list[int]:
+    """The paper's filter as its script states it: over the whole file, an episode that is longer than the mean by so many standard
+    deviations is out, and so is one whose hand is ever below or above a bound."""
+    mean, deviation = np.mean(list(lengths.values())), np.std(list(lengths.values()))
+    kept = []
+    for seed, length in lengths.items():
+        along = [(hands[seed][:, axis], *bounds[axis]) for axis in range(3)]
+        outside = any(min(hand) < low or max(hand) > high for hand, low, high in along)
+        if not outside and not length > mean + sd * deviation:
+            kept.append(seed)
+    return kept
+
+
+def test_the_papers_filter_gives_the_same_ids(store: EpisodeStore) -> None:
+    rng = np.random.default_rng(0)
+    lengths, hands = {}, {}
+    for seed in range(60):
+        steps = int(rng.choice([8, 9, 10, 11, 30], p=[0.25, 0.25, 0.25, 0.2, 0.05]))
+        made = make_episode(seed, steps, cameras=("front",), skeleton=("pick",) * (1 + seed % 3))
+        hand = rng.normal(0, 0.12, (steps, 3)).astype(np.float32)
+        made.observations["robot0_eef_pos"][:] = hand
+        store.write(made)
+        lengths[seed], hands[seed] = steps, hand
+    bounds = [(-0.3, 0.31), (-0.32, 0.3), (-0.3, 0.35)]
+    corners: dict[str, Any] = {"workspace_min": [b[0] for b in bounds], "workspace_max": [b[1] for b in bounds]}
+    config = CurationConfig(max_length_sd=2, length_over="all", **corners)
+    curation = curate(store.path, config)
+    assert list(curation.kept) == released_rule(lengths, hands, 2, bounds)
+    assert {"too long", "outside workspace"} <= set(curation.dropped.values())
+    assert curation.rules["too long"]["alone"] >= curation.rules["too long"]["removed"] > 0
+    assert load_curation(store.path) == curation
+
+
+def test_what_a_camera_does_not_see_is_left_out(store: EpisodeStore) -> None:
+    """A camera 1 m above the origin, 90 degrees wide, looks straight down: on the ground it sees 1 m to either side."""
+    views = {"views": {"top": {"pos": [0.0, 0.0, 1.0], "quat": [1.0, 0.0, 0.0, 0.0], "fovy": 90.0}}}
+    for seed, x in enumerate((0.0, 0.9, 1.1, -0.99)):
+        made = make_episode(seed, 5, cameras=("front",), info=views)
+        made.objects[-1, 0] = (x, 0.0, 0.0)
+        store.write(made)
+    behind = make_episode(4, 5, cameras=("front",), info=views)
+    behind.observations["robot0_eef_pos"][2] = (0.0, 0.0, 1.5)
+    store.write(behind)
+    assert curate(store.path, CurationConfig(in_view=("top",))).dropped == {2: "out of view", 4: "out of view"}
+    with pytest.raises(DatasetError, match="'side'; it tells of top"):
+        curate(store.path, CurationConfig(in_view=("side",)))

@@ -167,7 +167,7 @@ def test_the_gripper_goes_by_the_majority_of_the_weight(policy: Policy, monkeypa
     mean[0, :, 6] = torch.tensor([0.9, -0.9])
     for share, answer in ((0.9, 1), (0.6, 1), (0.4, -1), (0.1, -1)):
         mixture = Mixture(torch.tensor([[share, 1 - share]]).log(), mean, torch.ones_like(mean))
-        monkeypatch.setattr(policy, "mixture", lambda _, mixture=mixture: mixture)
+        monkeypatch.setattr(policy, "answers", lambda _, mixture=mixture: mixture)
         agent = PolicyAgent(policy)
         assert {agent.act(observation(episode, 0))[6] for _ in range(20)} == {answer}
 
@@ -183,7 +183,7 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
         low = {n: torch.from_numpy(episode.observations[n][frames])[None] for n in PROPRIOCEPTION}
         with torch.inference_mode():
             features = policy.features(policy.tokens(policy.frames(images, low)))[:, -1]
-            expected = policy.denormalise(policy.mixture(features).likeliest())[0].numpy()
+            expected = policy.denormalise(policy.answers(features).likeliest())[0].numpy()
         np.testing.assert_allclose(answers[t][:6], expected[:6].clip(-1, 1), atol=1e-5)
         assert answers[t][6] in (-1, 1)
         assert answers[t].dtype == np.float32 and answers[t].shape == (7,)

@@ -1,21 +1,30 @@
 """The report is one page that stands alone, says everything it was given, and nothing that it was not."""
 
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Literal
 
+import numpy as np
 import pytest
 
 from optimus.errors import StorageError
+from optimus.evaluate import worth_filming
 from optimus.report import (
     DatasetStats,
     EvaluationStats,
     ExpertStats,
     Film,
     ReportData,
+    Starts,
     render,
+    render_comparison,
+    write_comparison,
     write_report,
 )
+from optimus.show import Film as Recorder
+from optimus.show import png
 
 PNG = b"\x89PNG\r\n\x1a\n not really"
 VOID = {"meta", "img", "br"}
@@ -59,7 +68,7 @@ def full(tmp_path: Path) -> ReportData:
         config={"seed": 0, "policy": {"note": "<script>alert(1)</script>"}},
         versions={"mujoco": "4.0.0"},
         expert=ExpertStats(100, 98, 99, (0.93, 0.994), {"median": 0.08, "max": 1.5}, {"no plan": 2}),
-        dataset=DatasetStats(90, 9000, [90, 100, 110], {"pick, stack": 90}, {"too long": 3}),
+        dataset=DatasetStats(90, 9000, [90, 100, 110], {"pick, stack": 90}, {"too long": 3}, 81, 9),
         metrics=metrics,
         evaluations=[
             EvaluationStats(
@@ -67,7 +76,9 @@ def full(tmp_path: Path) -> ReportData:
             )
         ],
         seconds={"collect": 130.0, "train": 700.0},
-        films=[Film("seed 7", PNG, video, success=True), Film("seed 8", PNG, success=False)],
+        films=[Film("seed 7", PNG, video, success=True), Film("seed 8: dropped", PNG, success=False, cause="dropped")],
+        starts=[Starts("cubeA", [(0.5, 0.1), (0.62, -0.1)], [(0.4, 0.0)], [(0.4, 0.0)])],
+        commands=["optimus view runs/x"],
     )
 
 
@@ -84,8 +95,10 @@ def test_page_has_all_sections_and_figures(full: ReportData) -> None:
     assert outline.sections == [
         "result",
         "films",
+        "failures",
         "training",
         "dataset",
+        "starts",
         "expert",
         "time",
         "episodes",
@@ -144,3 +157,79 @@ def test_written_whole_or_not_at_all(full: ReportData, tmp_path: Path) -> None:
     assert path.read_bytes() == before
     with pytest.raises(StorageError, match="cannot write"):
         write_report(full, tmp_path / "nowhere" / "report.html")
+
+
+def test_failures_stand_by_their_cause_with_their_films(full: ReportData) -> None:
+    page = render(full)
+    failures = page[page.index('id="failures"') : page.index('id="training"')]
+    assert "dropped: 4 of 50 episodes" in failures and failures.count("<img") == 1
+    films = page[page.index('id="films"') : page.index('id="failures"')]
+    assert "seed 7" in films and "seed 8" not in films
+
+
+def test_every_cause_gets_a_film() -> None:
+    causes = ["a", "a", "", "a", "b", "", "c", "d"]
+    outcomes = [{"success": not cause, "cause": cause} for cause in causes]
+    assert worth_filming(outcomes, True, 1) == [2]
+    assert worth_filming(outcomes, False, 3) == [0, 4, 6, 7]
+    assert worth_filming(outcomes, False, 5) == [0, 4, 6, 7, 1]
+
+
+def test_starts_are_drawn_to_scale(full: ReportData) -> None:
+    """Dots are as far apart as the starts, in one scale for both axes, x up and y to the left."""
+    dots = re.findall(r'class="learned" cx="([\d.]+)" cy="([\d.]+)"', render(full))
+    (x0, y0), (x1, y1) = [(float(x), float(y)) for x, y in dots]
+    scale = (x1 - x0) / 0.2
+    assert scale > 0 and (y0 - y1) / 0.12 == pytest.approx(scale, rel=1e-2)
+
+
+def test_several_runs_beside_one_another(full: ReportData) -> None:
+    other = replace(full, config={"seed": 1, "policy": {"note": "<script>alert(1)</script>"}}, evaluations=[])
+    text = render_comparison({"runs/a": full, "runs/<b>": other}, "optimus report runs/a runs/b")
+    outline = parsed(text)
+    assert outline.sections == ["result", "failures", "training", "differences", "effort"]
+    differences = text[text.index('id="differences"') : text.index('id="effort"')]
+    assert "seed" in differences and "policy.note" not in differences
+    assert "runs/<b>" not in text and text.count("46</b> of 50") == 1
+
+
+@pytest.fixture
+def filmed(full: ReportData, tmp_path: Path) -> ReportData:
+    """The same with a film and a strip that are real."""
+    film = Recorder()
+    for k in range(40):
+        frame = np.full((240, 720, 3), 235, np.uint8)
+        frame[100:140, 10 * k : 10 * k + 40] = (217, 130, 43)
+        film.frames.append(frame)
+    film.write(tmp_path / "real.mp4")
+    strip = png(film.strip())
+    shown = [Film("seed 7: success", strip, tmp_path / "real.mp4", True), Film("seed 8: dropped", strip, None, False, "dropped")]
+    return replace(full, films=shown)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_browser_shows_it_without_complaint(filmed: ReportData, tmp_path: Path, scheme: Literal["light", "dark"]) -> None:
+    browser = pytest.importorskip("browser")
+    path = tmp_path / "report.html"
+    write_report(filmed, path)
+    with browser.page(1100, 800, scheme) as (opened, wrong):
+        opened.goto(path.as_uri())
+        brightness = opened.evaluate("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)[0]")
+        assert (brightness > 200) == (scheme == "light")
+        opened.evaluate("document.querySelector('video').play()")
+        opened.wait_for_function("document.querySelector('video').currentTime > 0.3")
+        assert opened.evaluate("[...document.images].every(i => i.naturalWidth > 0)")
+        opened.set_viewport_size({"width": 360, "height": 740})
+        browser.requires_no_sideways_scrolling(opened)
+        assert opened.pdf(format="A4").startswith(b"%PDF")
+        assert wrong == []
+
+
+def test_a_comparison_on_a_phone(full: ReportData, tmp_path: Path) -> None:
+    browser = pytest.importorskip("browser")
+    path = tmp_path / "comparison.html"
+    write_comparison({"runs/a": full, "runs/b": replace(full, command="optimus run stack --seed 1")}, "optimus report", path)
+    with browser.page(360, 740) as (opened, wrong):
+        opened.goto(path.as_uri())
+        browser.requires_no_sideways_scrolling(opened)
+        assert wrong == []

@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import json
 import os
+import platform
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -146,10 +148,13 @@ def test_a_folder_that_cannot_be_made_is_an_error_of_storage(tmp_path: Path) -> 
 
 
 def test_leftovers_of_dead_processes_only_are_removed(store: EpisodeStore) -> None:
+    host = re.sub(r"[^\w.]", "_", platform.node())
     gone = subprocess.run([sys.executable, "-c", "import os; print(os.getpid())"], capture_output=True, check=True)
-    dead = store.path / "episodes" / f"00000009.safetensors.tmp-{int(gone.stdout)}"
-    alive = store.path / "episodes" / f"00000010.safetensors.tmp-{os.getpid()}"
-    dead.write_bytes(b"half")
-    alive.write_bytes(b"half")
+    dead = store.path / "episodes" / f"00000009.safetensors.tmp-{host}-{int(gone.stdout)}"
+    alive = store.path / "episodes" / f"00000010.safetensors.tmp-{host}-{os.getpid()}"
+    elsewhere, forgotten = (store.path / "episodes" / f"{n:08d}.safetensors.tmp-other-{int(gone.stdout)}" for n in (11, 12))
+    for path in (dead, alive, elsewhere, forgotten):
+        path.write_bytes(b"half")
+    os.utime(forgotten, (0, 0))
     assert EpisodeStore.open(store.path).seeds == ()
-    assert (dead.exists(), alive.exists()) == (False, True)
+    assert [p.exists() for p in (dead, alive, elsewhere, forgotten)] == [False, True, True, False]

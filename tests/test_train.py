@@ -82,6 +82,7 @@ def assert_same_bits(run: Path, other: Path) -> None:
 
 def test_a_finished_run_is_complete(uninterrupted: Path, dataset: Path) -> None:
     assert sorted(p.name for p in uninterrupted.iterdir()) == [
+        "README.md",
         "best",
         "config.json",
         "metrics.jsonl",

@@ -13,8 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, controller, require_control
-from optimus.data.episode import GRIPPER, IMAGE_SIZE, IMAGE_SUFFIX, OSC, Observation
-from optimus.errors import ModelError
+from optimus.data.episode import (
+    BINARY,
+    CONTINUOUS,
+    GRIPPER,
+    IMAGE_SIZE,
+    IMAGE_SUFFIX,
+    INSTRUCTION,
+    OBJECT_POSITIONS,
+    OSC,
+    Observation,
+)
+from optimus.errors import ModelError, UnknownNameError
 from optimus.render import Rig
 from optimus.robots import Robot
 from optimus.se3 import Array
@@ -25,6 +35,8 @@ from optimus.world import World, compile_scene
 
 SUBSTEPS = round(1 / (CONTROL_HZ * PHYSICS_DT))
 FULL_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+RECORDED_STATE = mujoco.mjtState.mjSTATE_FULLPHYSICS
+"""Time, positions, velocities: what episodes keep of every step."""
 SETTLE_SECONDS = 0.25
 """Physics run after placing the objects, before the first observation."""
 
@@ -37,7 +49,8 @@ def _rig(world: World, size: int) -> Rig:
 class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     """One task, under one way of `control`. Actions in [-1, 1]: for `osc` and `ik` `(7,)`, delta position and delta rotation
     vector of the target pose (base frame), for `joint` `(dof + 1,)`, delta of the joint target, both scaled as
-    `optimus.control` says; then the gripper: above 0 shut, else open. The reward is 1 on strict success, the end."""
+    `optimus.control` says; then the gripper: above 0 shut, else open (or in between, see `gripper`). The reward is 1 on strict
+    success, the end."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 - Gymnasium's own convention
 
@@ -48,9 +61,16 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         render_mode: str | None = None,
         control: str = OSC,
         robot: Robot | None = None,
+        positions: bool = False,
+        gripper: str = BINARY,
     ) -> None:
-        """`robot` takes the place of the task's own."""
+        """`robot` takes the place of the task's own; with `positions`, agents are told where the movables are; `gripper` is
+        `BINARY` or `CONTINUOUS`."""
+        if gripper not in (BINARY, CONTINUOUS):
+            raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
+        self.gripper = gripper
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
+        self.positions = positions
         self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
@@ -64,6 +84,9 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             name: gymnasium.spaces.Box(*((-7.0, 7.0) if name == "robot0_joint_pos" else (-4.0, 4.0)), seen.shape, np.float32)
             for name, seen in self._proprioception().items()
         }
+        if self.positions:
+            size = 3 * len(self.world.scene.movable_names)
+            spaces[OBJECT_POSITIONS] = gymnasium.spaces.Box(-np.inf, np.inf, (size,), np.float32)
         if self.images:
             for camera in self.world.image_cameras:
                 shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
@@ -117,7 +140,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def _advance(self, gripper: float, substeps: int) -> None:
         model, data, world = self.world.model, self.data, self.world
         began = time.process_time()
-        data.ctrl[world.gripper_ctrl] = 0.0 if gripper > 0 else 255.0
+        shut = (1.0 + gripper) / 2 if self.gripper == CONTINUOUS else float(gripper > 0)
+        data.ctrl[world.gripper_ctrl] = 255.0 * (1.0 - shut)
         for _ in range(substeps):
             mujoco.mj_step1(model, data)
             data.ctrl[world.arm_ctrl] = self.controller.torque(data)
@@ -126,21 +150,23 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.cpu["physics"] += time.process_time() - began
 
     def _info(self) -> dict[str, Any]:
-        return {"seed": self.episode_seed, "variant": self.problem.variant}
+        return {"seed": self.episode_seed, "variant": self.problem.variant, INSTRUCTION: self.problem.instruction}
 
     def state(self) -> State:
         """The kinematic snapshot, with what is held."""
         return self.world.state(self.data)
 
-    def snapshot(self) -> Array:
-        """The full physics state `(n,)`, from which `reset(options={"state": ...})` starts again."""
-        out = np.empty(mujoco.mj_stateSize(self.world.model, FULL_STATE))
-        mujoco.mj_getState(self.world.model, self.data, out, FULL_STATE)
+    def snapshot(self, kind: mujoco.mjtState = FULL_STATE) -> Array:
+        """The physics state `(n,)`; from the full one, `reset(options={"state": ...})` starts again."""
+        out = np.empty(mujoco.mj_stateSize(self.world.model, kind))
+        mujoco.mj_getState(self.world.model, self.data, out, kind)
         return out
 
     def observe(self) -> Observation:
         """What an agent may see, under robosuite's names (`robot0_eef_quat` is xyzw, as there)."""
         seen: Observation = dict(self._proprioception())
+        if self.positions:
+            seen[OBJECT_POSITIONS] = self.object_positions().astype(np.float32).ravel()
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)

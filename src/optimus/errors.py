@@ -41,3 +41,7 @@ class ModelError(OptimusError):
 
 class RobotFileError(OptimusError):
     """A robot file, or the model it names, that is missing, does not fit together or cannot be read."""
+
+
+class WorkerError(OptimusError):
+    """Worker processes that keep being killed, or a cluster that cannot be reached."""

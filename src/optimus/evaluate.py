@@ -14,7 +14,7 @@ import torch
 
 from optimus.data.atomic import write_whole
 from optimus.data.curate import load_curation
-from optimus.data.episode import Episode
+from optimus.data.episode import OBJECT_POSITIONS, Episode
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
@@ -133,7 +133,9 @@ def _actors(
     agent = PolicyAgent(run, component)
     inputs = agent.policy.inputs
     name = with_objects(task or checkpoint.tasks_of(inputs.task)[0], objects)
-    return ManipulationEnv(task_named(name), control=inputs.control, robot=trained_robot(run, robot)), agent
+    told = OBJECT_POSITIONS in inputs.proprioception
+    arm = trained_robot(run, robot)
+    return ManipulationEnv(task_named(name), images=not told, control=inputs.control, robot=arm, positions=told), agent
 
 
 class _Witness:
@@ -231,6 +233,7 @@ class FilmedEpisode:
     video: Path
     strip: Path
     success: bool
+    cause: str = ""
 
 
 def film_outcomes(
@@ -243,12 +246,11 @@ def film_outcomes(
     robot: Robot | None = None,
     each: int = 3,
 ) -> list[FilmedEpisode]:
-    """Films (MP4, and a PNG strip) of the first few successes and failures. The episodes are played again: they are
-    functions of their seeds."""
+    """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
+    are functions of their seeds."""
     films = []
     for success in (True, False):
-        chosen = [i for i, o in enumerate(report["outcomes"]) if o["success"] is success][:each]
-        for i in chosen:
+        for i in worth_filming(report["outcomes"], success, each):
             outcome, film = report["outcomes"][i], Film()
             play(run, starts[i], seed + i, component, film, robot)
             path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
@@ -256,5 +258,16 @@ def film_outcomes(
             write_whole(path.with_suffix(".png"), png(film.strip()))
             named = f"seed {outcome['seed']} {outcome['variant']}".strip()
             caption = f"{named}: {'success' if success else outcome['cause']}"
-            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success))
+            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success, outcome["cause"]))
     return films
+
+
+def worth_filming(outcomes: Sequence[dict[str, Any]], success: bool, each: int) -> list[int]:
+    """Indices of `each` outcomes; of failures one of every cause first, however many causes there are."""
+    seen: Counter[str] = Counter()
+    ranked = []
+    for i, outcome in enumerate(outcomes):
+        if outcome["success"] is success:
+            ranked.append((seen[outcome["cause"]], i))
+            seen[outcome["cause"]] += 1
+    return [i for _, i in sorted(ranked)[: max(each, len(seen))]]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, JOINT_SCALE, SCALE, require_control
-from optimus.data.episode import Observation
+from optimus.data.episode import BINARY, CONTINUOUS, Observation
+from optimus.errors import UnknownNameError
 from optimus.motion.lines import distance
 from optimus.motion.path import JointPath, Path, PosePath
 from optimus.motion.plan import Plan, Segment
@@ -34,6 +35,9 @@ class TimeLaw:
     """... and goes on along the path only as far as it is nearer to it than this [m]: align first, then descend."""
     stall: int = 5
     """Steps for which the gripper alone acts."""
+    gripper: Literal["binary", "continuous"] = "binary"
+    """The gripper is told to be open or shut, or where to be: over the stall, from one to the other. `ManipulationEnv` has to
+    understand it the same way."""
     patience: int = 12
     """Steps to wait for the tcp to arrive that well; after them, `arrived_late` will do."""
     arrived_late: float = 0.015
@@ -42,6 +46,10 @@ class TimeLaw:
     """A skill's last motion is over when the tcp is this near to its end, other motions when the target is there [m]."""
     finger_motion: float = 0.004
     """A gripper action counts as done only when the opening has changed by this much [m]."""
+
+    def __post_init__(self) -> None:
+        if self.gripper not in (BINARY, CONTINUOUS):
+            raise UnknownNameError("gripper", self.gripper, (BINARY, CONTINUOUS))
 
 
 class Steering(Protocol):
@@ -161,7 +169,14 @@ class PlanFollower:
             delta = self._advance(target, tcp, min(segment.speed, self.law.speed))
             self.errors.append(self._gap(tcp))
         arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
-        return np.array([*arm, 1.0 if segment.shut else -1.0], np.float32)
+        return np.array([*arm, self._gripper(segment)], np.float32)
+
+    def _gripper(self, segment: Segment) -> float:
+        """What the gripper is told: -1 open, 1 shut."""
+        told = 1.0 if segment.shut else -1.0
+        if self.law.gripper == "binary" or not segment.gripper_action:
+            return told
+        return told * min(1.0, 2.0 * self._waited / max(self.law.stall, 1) - 1.0)
 
     def _gap(self, tcp: Pose) -> float:
         """The distance of the tcp from the planned path [m]: it may still be on the last stretch of the segment before."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from itertools import pairwise
 
 import mujoco
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from optimus.errors import ModelError
 from optimus.objects.shapes import Rgba
-from optimus.scene import Camera
+from optimus.scene import Camera, Scene
 from optimus.se3 import Array
 from optimus.world import World
 
@@ -33,6 +34,33 @@ class Rig:
         """`(height, width, 3)` from a camera of the scene (or `robot0_eye_in_hand`); `data` must be up to date."""
         self._renderer.update_scene(data, self.world.camera_id(camera), self._option)
         return self._renderer.render()
+
+    def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:
+        """`(height, width)` [m], along the camera's axis."""
+        self._renderer.enable_depth_rendering()
+        try:
+            self._renderer.update_scene(data, self.world.camera_id(camera), self._option)
+            return self._renderer.render()
+        finally:
+            self._renderer.disable_depth_rendering()
+
+    def segmentation(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
+        """`(height, width)`: 1 + the index into `seen_names` of what is seen, 0 for the backdrop."""
+        self._renderer.enable_segmentation_rendering()
+        try:
+            self._renderer.update_scene(data, self.world.camera_id(camera), self._option)
+            geoms, kinds = np.moveaxis(self._renderer.render(), -1, 0)
+        finally:
+            self._renderer.disable_segmentation_rendering()
+        return np.where(kinds == int(mujoco.mjtObj.mjOBJ_GEOM), self._numbers[geoms], 0).astype(np.uint8)
+
+    @cached_property
+    def _numbers(self) -> NDArray[np.uint8]:
+        """The number of each geom in segmentation images; the last entry, which -1 finds, is the backdrop's."""
+        names = seen_names(self.world.scene)
+        bodies = {body: names.index(name) + 1 for body, name in self.world.body_names.items()}
+        bodies |= dict.fromkeys(self.world.robot_bodies, len(names))
+        return np.array([*(bodies.get(int(body), 0) for body in self.world.model.geom_bodyid), 0], np.uint8)
 
     def view(
         self, data: mujoco.MjData, camera: Camera, paths: tuple[tuple[Array, Rgba], ...] = ()
@@ -64,3 +92,8 @@ class Rig:
     def close(self) -> None:
         """Free the GL context."""
         self._renderer.close()
+
+
+def seen_names(scene: Scene) -> tuple[str, ...]:
+    """What segmentation tells apart, in the order of its numbers from 1."""
+    return (*scene.movable_names, *scene.fixture_poses, *(door.name for door in scene.doors), "robot")

@@ -63,6 +63,11 @@ class Replay:
         self._swung = frozenset(world.body_ids[name] for name in segment.doors)
         return tcp
 
+    @property
+    def qpos(self) -> Array:
+        """MuJoCo's positions `(nq,)` where the world was last placed."""
+        return self._data.qpos.copy()
+
     def _doors(self, segment: Segment, at: float) -> dict[str, float]:
         """How far each door is open [rad]: as it was left, unless the segment swings it."""
         return {**self.state.doors, **{name: float(_between(angles, at)) for name, angles in segment.doors.items()}}

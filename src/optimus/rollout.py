@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import JOINT_SCALE
-from optimus.data.episode import GRIPPER, Episode, Observation
-from optimus.env import ManipulationEnv
+from optimus.data.episode import GRIPPER, INSTRUCTION, STATE_COLUMNS, VIEWS, Episode, Observation
+from optimus.env import RECORDED_STATE, ManipulationEnv
 from optimus.predicates import holds
+from optimus.world import World
 
 JOINT_TREMBLE = 0.005
 """Under joint control every joint trembles by this much besides the hand [rad], one standard deviation."""
@@ -103,6 +104,7 @@ class Log:
     actions: list[NDArray[np.float32]]
     executed: list[NDArray[np.float32]]
     objects: list[NDArray[np.float64]]
+    states: list[NDArray[np.float64]]
 
 
 def rollout(
@@ -118,7 +120,7 @@ def rollout(
     `push(observation, label)` gives what to add to the executed action, or None;
     `watch(env)` is called before every step (films, measurements).
     """
-    log = Log([], [], [], [])
+    log = Log([], [], [], [], [])
     start = env.snapshot()
     success, truncated, idle = False, False, 0
     still = np.zeros(env.action_size, np.float32)
@@ -135,6 +137,7 @@ def rollout(
         log.actions.append(label)
         log.executed.append(done)
         log.objects.append(env.object_positions())
+        log.states.append(env.snapshot(RECORDED_STATE))
         observation, _, success, truncated, _ = env.step(done)
     watch(env)
     return _episode(env, log, start, name, success, "" if success else failure_of(env, truncated))
@@ -166,5 +169,15 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
             "paper_success": env.problem.paper_success(env.state()),
             "control": env.control,
             "goal": sorted(str(a) for a in env.problem.goal),
+            VIEWS: env.world.views,
+            STATE_COLUMNS: state_columns(env.world),
+            INSTRUCTION: env.problem.instruction,
+            "words": env.problem.words,
         },
+        states=np.stack(log.states),
     )
+
+
+def state_columns(world: World) -> dict[str, dict[str, int]]:
+    """Where things are in a row of `Episode.states`, see `STATE_COLUMNS`: the time comes first."""
+    return {"objects": {n: 1 + i for n, i in world.movable_qpos.items()}, "doors": {n: 1 + i for n, i in world.door_qpos.items()}}

@@ -28,6 +28,7 @@ from optimus.data.store import EpisodeStore, installed_versions
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import FilmedEpisode, evaluate, film_outcomes, validation_starts
+from optimus.learn.card import write_card
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
@@ -170,7 +171,7 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
     wanted = CollectConfig(
         config.task, data, config.wanted, config.seed, config.workers, control=config.control, robot=config.robot
     )
-    return collect(wanted, lambda done: progress("collect", done, config.wanted, {}))
+    return collect(wanted, lambda tally: progress("collect", tally.successes, config.wanted, {}))
 
 
 def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
@@ -188,7 +189,7 @@ def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageP
         control=config.control,
         robot=config.robot,
     )
-    collect(asked, lambda done: progress("correct", done, wanted, {}))
+    collect(asked, lambda tally: progress("correct", tally.successes, wanted, {}))
 
 
 @dataclass(frozen=True)
@@ -224,6 +225,7 @@ def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgre
 
     report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot).as_dict()
     write_json(path, report)
+    write_card(policy)
     return report
 
 

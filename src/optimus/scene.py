@@ -27,6 +27,8 @@ class Fixture:
     yaw: float = 0.0
     door: str | None = None
     """What its surface lies behind, if anything does: it is reached only while that door is open."""
+    words: str = ""
+    """What people call it, a noun phrase without its article; empty: its name."""
 
     @property
     def pose(self) -> Pose:
@@ -77,6 +79,8 @@ class Movable:
 
     name: str
     shape: Shape
+    words: str = ""
+    """What people call it, a noun phrase without its article; empty: what is known of its shape, or colour and kind."""
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from optimus.closed_loop import ClosedLoop
 from optimus.data.atomic import write_whole
-from optimus.data.episode import IMAGE_SUFFIX, Observation
+from optimus.data.episode import IMAGE_SUFFIX, Episode, Observation
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
 from optimus.errors import ModelError
@@ -23,6 +24,7 @@ from optimus.motion.plan import Infeasible, Plan, Segment, Step
 from optimus.objects.shapes import Rgba
 from optimus.render import Rig
 from optimus.robots import Robot
+from optimus.rollout import rollout
 from optimus.scene import Camera
 from optimus.se3 import Array
 from optimus.state import State
@@ -33,6 +35,9 @@ Picture = NDArray[np.uint8]
 
 EMPTY_HAND: Rgba = (0.15, 0.45, 0.95, 0.9)
 LOADED_HAND: Rgba = (0.95, 0.45, 0.05, 0.9)
+FILMS = {".webp": "WEBP", ".gif": "GIF"}
+FILM_FRAMES, FRAME_MS, LAST_FRAME_MS = 48, 80, 1200
+"""Of a looping film: pictures at most, and for how long each is shown, and the last one."""
 SENTENCES = {
     "pick": "pick {0} up from {1}",
     "place": "place {0} on {1}",
@@ -123,6 +128,33 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     pictures.append(captioned(_view(rig, env, state, camera), f"goal: {wanted}"))
     write_whole(out, png(grid(pictures, 3)))
     return plan
+
+
+def show_film(task: Task, seed: int, out: Path, robot: Robot | None = None, size: int = 256) -> Episode:
+    """Write a short looping film of the expert solving `seed` (WebP or GIF, by the name's end): however long it takes, at most
+    `FILM_FRAMES` pictures. `ModelError` if there is no plan or it fails."""
+    if out.suffix not in FILMS:
+        raise ModelError(f"cannot write a looping film as {out.name}; its name has to end with {' or '.join(FILMS)}")
+    env, config, frames = ManipulationEnv(task, images=False, robot=robot), ExpertConfig(), []
+    observation, _ = env.reset(seed=seed)
+    planned = plan_for(env, seed, config)
+    if isinstance(planned.plan, Infeasible):
+        raise ModelError(f"no plan for {task.name} with seed {seed}: {planned.plan}")
+    expert = ClosedLoop(env, planned.workspace, planned.plan, config.law, planned.rng, config.budget)
+    rig = Rig(env.world, size)
+
+    def watch(env: ManipulationEnv) -> None:
+        frames.append(Image.fromarray(rig.view(env.data, task.people_camera)))
+
+    episode = rollout(env, observation, expert, "expert", watch=watch)
+    if not episode.success:
+        raise ModelError(f"the expert fails at {task.name} with seed {seed}: {episode.failure}")
+    chosen = [frames[round(i)] for i in np.linspace(0, len(frames) - 1, min(len(frames), FILM_FRAMES))]
+    shown = [FRAME_MS] * (len(chosen) - 1) + [LAST_FRAME_MS]
+    buffer = io.BytesIO()
+    chosen[0].save(buffer, FILMS[out.suffix], save_all=True, append_images=chosen[1:], duration=shown, loop=0, quality=45)
+    write_whole(out, buffer.getvalue())
+    return episode
 
 
 def _view(

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from optimus.data.curate import Curation
+from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
+from optimus.errors import DatasetError
 from optimus.evaluate import FilmedEpisode
 from optimus.learn import checkpoint, metrics
-from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData
+from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 from optimus.statistics import quantiles, wilson
 from optimus.tasks import task as task_named
+
+Point = tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,8 +50,57 @@ def summarise(record: RunRecord) -> ReportData:
         metrics=metrics.read(record.policy),
         evaluations=[_evaluation(record.evaluation)],
         seconds=record.journal["seconds"],
-        films=[Film(f.caption, f.strip, f.video, f.success) for f in record.films],
+        films=[_film(f) for f in record.films],
+        starts=_starts(record.store, record.curation, record.evaluation),
+        commands=_commands(asked),
     )
+
+
+def summary_of(folder: Path) -> ReportData:
+    """The report of a folder that `run` or `train` made, from what lies in it. `CheckpointError` if neither did."""
+    if (folder / "run.json").exists():
+        return summarise(_record(folder))
+    trained = checkpoint.read_config(folder)
+    found = [json.loads(path.read_text()) for path in sorted(folder.glob("evaluation-*.json"))]
+    evaluations = [_evaluation(e) for e in found]
+    return ReportData(
+        title=f"{folder.name}: a policy for {trained['task']}",
+        task=trained["task"],
+        command=f"optimus train DATASET --out {folder}",
+        config={"policy": trained["policy"], "training": trained["train"]},
+        versions=trained.get("versions", {}),
+        metrics=metrics.read(folder),
+        evaluations=evaluations,
+        films=[_film(f) for e in found for f in films_in(folder / "films", e)],
+    )
+
+
+def _record(folder: Path) -> RunRecord:
+    evaluation_file = folder / "policy" / "evaluation-validation.json"
+    try:
+        journal, evaluation = json.loads((folder / "run.json").read_text()), json.loads(evaluation_file.read_text())
+    except OSError as error:
+        raise DatasetError(f"{folder} has not been evaluated yet ({error}); call optimus run again to let it go on") from error
+    films = films_in(folder / "films", evaluation)
+    data = folder / "data"
+    return RunRecord(journal, EpisodeStore.open(data), load_curation(data), folder / "policy", evaluation, films)
+
+
+def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
+    """The films of an evaluation that lie in `folder`, as `film_outcomes` named them."""
+    films = []
+    for video in sorted(folder.glob("*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
+        kind, index, seed = video.stem.split("-")
+        outcome = evaluation["outcomes"][int(index)] if int(index) < len(evaluation["outcomes"]) else None
+        if outcome is None or str(outcome["seed"]) != seed:
+            continue  # of another evaluation
+        caption = f"seed {seed}: {'success' if kind == 'success' else outcome['cause']}"
+        films.append(FilmedEpisode(caption, video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
+    return films
+
+
+def _film(filmed: FilmedEpisode) -> Film:
+    return Film(filmed.caption, filmed.strip, filmed.video, filmed.success, filmed.cause)
 
 
 def _command(asked: dict[str, Any]) -> str:
@@ -81,7 +134,39 @@ def _dataset(store: EpisodeStore, curation: Curation) -> DatasetStats:
         lengths=lengths,
         per_skeleton=dict(Counter(" ".join(h.skeleton) for h in headers)),
         dropped=dict(Counter(reason.split(":")[0] for reason in curation.dropped.values())),
+        training=len(curation.train),
+        held_out=len(curation.validation),
     )
+
+
+def _starts(store: EpisodeStore, curation: Curation, evaluation: dict[str, Any]) -> list[Starts]:
+    """Where each object stood when an episode began; only states of the dataset are known where a policy failed."""
+    known = evaluation["states"] == "validation"
+    failed = {o["seed"] for o in evaluation["outcomes"] if not o["success"]} if known else set[int]()
+    train, held_out = set(curation.train), set(curation.validation)
+    learned: dict[str, list[Point]] = {}
+    others: dict[str, list[Point]] = {}
+    missed: dict[str, list[Point]] = {}
+    for header in store.headers():
+        first = header.read("objects")[0]
+        for name, (x, y, _) in zip(header.object_names, first, strict=True):
+            groups = ((header.seed in train, learned), (header.seed in held_out, others), (header.seed in failed, missed))
+            for belongs, where in groups:
+                where.setdefault(name, [])
+                if belongs:
+                    where[name].append((float(x), float(y)))
+    return [Starts(name, learned[name], others[name], missed[name]) for name in learned]
+
+
+def _commands(asked: dict[str, Any]) -> list[str]:
+    """The run's stages one by one, and how to look into it."""
+    out = asked["out"]
+    return [
+        _command(asked),
+        f"optimus evaluate {out}/policy --dataset {out}/data --episodes {asked['episodes']} --seed {asked['seed']}",
+        f"optimus view {out}",
+        f"optimus report {out} --out {out}.html",
+    ]
 
 
 def _evaluation(report: dict[str, Any]) -> EvaluationStats:

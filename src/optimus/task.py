@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from optimus.robots import Robot
 from optimus.scene import Camera, Scene
 from optimus.se3 import Pose
 from optimus.state import State
+from optimus.words import instruction, names_in
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +37,17 @@ class Problem:
         unknown = sorted({name for atom in self.goal for name in atom.args} - known)
         if unknown:
             raise ModelError(f"the goal names {', '.join(unknown)}; the scene has {', '.join(sorted(known))}")
+
+    @cached_property
+    def instruction(self) -> str:
+        """What is wanted, in plain English: "put the red block on the green block"."""
+        return instruction(self.scene, self.poses, self.goal)
+
+    @cached_property
+    def words(self) -> dict[str, str]:
+        """What each movable thing is called in plain English: "the red block"."""
+        names = names_in(self.scene, self.poses)
+        return {name: names[name] for name in self.scene.movable_names}
 
     def success(self, state: State) -> bool:
         """The strict rule: every atom of the goal holds, released, settled and the hand clear among them."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -20,9 +22,12 @@ OVERLAP = 0.004
 class World:
     """A compiled scene: the one `MjModel` and the addresses of everything in it. Build with `compile_scene`."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, look: Callable[[mujoco.MjSpec], None] = lambda spec: None) -> None:
+        """`look` may change how it looks before it is compiled."""
         try:
-            self.model: mujoco.MjModel = world_spec(scene).compile()
+            spec = world_spec(scene)
+            look(spec)
+            self.model: mujoco.MjModel = spec.compile()
         except ValueError as error:
             raise ModelError(f"the scene does not compile: {error}") from error
         m, robot = self.model, scene.robot
@@ -60,6 +65,16 @@ class World:
     def image_cameras(self) -> tuple[str, ...]:
         """The cameras as observations name them; the wrist's last."""
         return (*(c.name for c in self.scene.cameras), "robot0_eye_in_hand")
+
+    @property
+    def views(self) -> dict[str, dict[str, Any]]:
+        """The fixed cameras: `pos` [m] and `quat` wxyz in the base frame, `fovy` [deg]."""
+        ids = {camera.name: self.camera_id(camera.name) for camera in self.scene.cameras}
+        m = self.model
+        return {
+            name: {"pos": m.cam_pos[i].tolist(), "quat": m.cam_quat[i].tolist(), "fovy": float(m.cam_fovy[i])}
+            for name, i in ids.items()
+        }
 
     def camera_id(self, name: str) -> int:
         model_name = ROBOT_PREFIX + "eye_in_hand" if name == "robot0_eye_in_hand" else name

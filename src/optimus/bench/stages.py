@@ -19,14 +19,15 @@ from optimus.workers import available_cores
 
 
 def bench_collect(config: BenchConfig, progress: Progress) -> dict[str, Any]:
-    """Collection as users run it: perturbed, rendered, written; process start-up included."""
+    """Collection as users run it: perturbed, rendered, written; process start-up included. `busy` is the share of the workers' time
+    that went into attempts: on idle cores, what is missing is start-up and waiting."""
     workers = config.workers or available_cores()
     folder = Path(tempfile.mkdtemp(prefix="optimus-bench-"))
     try:
         asked = CollectConfig(
             config.task, folder / "data", config.episodes, config.seed, workers, control=config.control, robot=config.robot
         )
-        result = collect(asked, lambda done: progress(done, done))
+        result = collect(asked, lambda tally: progress(tally.successes, tally.successes))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     return {
@@ -36,7 +37,8 @@ def bench_collect(config: BenchConfig, progress: Progress) -> dict[str, Any]:
         "attempts": result.attempts,
         "seconds": result.seconds,
         "demonstrations_per_hour": 3600 * result.demonstrations / result.seconds,
-        "cpu_seconds": result.cpu_seconds,
+        "cpu_seconds_per_demonstration": {k: v / result.demonstrations for k, v in result.cpu_seconds.items()},
+        "busy": sum(result.cpu_seconds.values()) / (workers * result.seconds),
         "failures": result.failures,
     }
 

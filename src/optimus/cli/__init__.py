@@ -3,30 +3,54 @@
 from __future__ import annotations
 
 import logging
+import os
 import sys
 
 import tyro
 
-from optimus.cli.demonstrations import collect, curate
+from optimus.cli.datasets import dataset
+from optimus.cli.demonstrations import collect, curate, imitability
+from optimus.cli.exchange import export, import_
+from optimus.cli.health import doctor
+from optimus.cli.live import view
 from optimus.cli.main_job import run
 from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
-from optimus.cli.policies import evaluate, train
+from optimus.cli.output import QUIET
+from optimus.cli.pages import report
+from optimus.cli.policies import evaluate, export_policy, train
+from optimus.cli.rendering import render
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
-VERBS = {f.__name__: f for f in (tasks, objects, show, collect, curate, train, evaluate, run, bench)}
+_SEEING = (tasks, objects, show, view)
+_DATA = (collect, render, curate, imitability, dataset, export, import_)
+_LEARNING = (train, evaluate, export_policy, run, report)
+VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA, *_LEARNING, bench, doctor)}
+
+DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
+
+Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars."""
 
 
 def main() -> None:
-    """The `optimus` command. Exit status: 0, 2 for an error that the user can mend, 130 when interrupted."""
+    """The `optimus` command. Exit status: 0; 1 when `doctor` finds something broken; 2 for an error that the user can mend;
+    130 when interrupted."""
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:
             raise UnknownNameError("verb", sys.argv[1], VERBS)
-        tyro.extras.subcommand_cli_from_dict(VERBS, prog="optimus", description=__doc__)
+        if "--quiet" in sys.argv:
+            sys.argv.remove("--quiet")
+            os.environ[QUIET] = "1"
+        tyro.extras.subcommand_cli_from_dict(VERBS, prog="optimus", description=DESCRIPTION)
     except OptimusError as error:
         sys.stderr.write(f"optimus: {error}\n")
+        raise SystemExit(2) from None
+    except RuntimeError as error:
+        if "MUJOCO_GL" not in str(error):  # MuJoCo's own word for a GL library that there is not, as it is imported
+            raise
+        sys.stderr.write(f"optimus: {error}; `optimus doctor` says what to do\n")
         raise SystemExit(2) from None
     except KeyboardInterrupt:
         sys.stderr.write("optimus: interrupted; the same command goes on from here\n")

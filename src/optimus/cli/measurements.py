@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from tyro.conf import Positional, arg
 
-from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, RobotName, TaskName, Workers, chosen_robot
+from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, PresetName, RobotName, Workers, chosen_robot
 from optimus.cli.output import bar, counter, say, table
 from optimus.errors import OptimusError
 
+TaskOrNone = Annotated[str | None, Positional, arg(metavar="TASK", help="a task's name; none with --preset")]
+
 
 def bench(
-    what: Annotated[Literal["expert", "collect", "step", "action", "render"], Positional, arg(help="what to measure")],
-    task: TaskName,
+    what: Annotated[
+        Literal["expert", "collect", "read", "step", "action", "render"], Positional, arg(help="what to measure")
+    ],
+    task: TaskOrNone = None,
+    preset: PresetName | None = None,
+    rounds: int = 5,
     episodes: int = 20,
     seed: FirstSeed = 0,
     workers: Workers = 1,
@@ -24,15 +30,21 @@ def bench(
     objects: ObjectsName = None,
     json: Json = False,
 ) -> None:
-    """Measure: the expert's success and planning time, collection, one environment step, one action, one frame.
+    """Measure: the expert's success and planning time, collection, reading for training, one environment step, one action, one
+    frame; and with --preset a step of training (`step`) or an action (`action`) of that network, beside the same computed plainly.
 
     Try:
         optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench expert microwave-adapt --episodes 10 --workers 2 --where
         optimus bench collect stack --episodes 40 --workers 2 --json
+        optimus bench read stack --episodes 500
+        optimus bench step --preset optimus-30m --json
+        optimus bench action --preset optimus-30m
 
     Args:
-        episodes: how many to run (frames or actions, for render and action)
+        preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
+        rounds: with --preset: how often a step is timed (an action: ten times as often)
+        episodes: how many to run (for render, action and read: frames, actions, batches)
         check: with expert: validate every plan independently, and count the invalid ones as failures
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """
@@ -42,7 +54,28 @@ def bench(
     for name, asked in (("check", check), ("where", where)):
         if asked and what != "expert":
             raise OptimusError(f"--{name} is for plans: it goes with `bench expert` alone")
+    if preset is not None:
+        if task is not None:
+            raise OptimusError(f"--preset {preset} is measured on made-up data; leave out {task}")
+        say(result := _of_preset(what, preset, rounds, seed), json, table(result))
+        return
+    if task is None:
+        raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
         config = BenchConfig(with_objects(task, objects), episodes, seed, workers, control, chosen_robot(robot), check, where)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))
+
+
+def _of_preset(what: str, preset: str, rounds: int, seed: int) -> dict[str, Any]:
+    from optimus.bench.policy import bench_gradient_step, bench_policy_action
+
+    if what not in ("step", "action"):
+        raise OptimusError(f"--preset is measured by `bench step` and `bench action`, not by `bench {what}`")
+    if rounds < 1:
+        raise OptimusError(f"--rounds {rounds} is not positive")
+    rounds = rounds if what == "step" else 10 * rounds
+    with bar(rounds, f"bench {what} {preset}", "round") as shown:
+        if what == "step":
+            return bench_gradient_step(preset, rounds, seed, counter(shown))
+        return bench_policy_action(preset, rounds, seed, counter(shown))

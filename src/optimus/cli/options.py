@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tyro.conf import Positional, arg
 
@@ -13,6 +13,14 @@ if TYPE_CHECKING:
 TaskName = Annotated[str, Positional, arg(metavar="TASK", help="a task's name; `optimus tasks` lists them")]
 Dataset = Annotated[Path, Positional, arg(metavar="DATASET", help="a dataset's folder, from `optimus collect`")]
 Datasets = Annotated[tuple[Path, ...], Positional, arg(metavar="DATASET", help="datasets' folders, from `optimus collect`")]
+PresetName = Annotated[
+    str,
+    arg(
+        metavar="PRESET",
+        help="quick, quick-mlp, quick-rnn, quick-bet (minutes on a CPU); optimus-30m, optimus-60m, optimus-100m, bc-mlp, bc-rnn, "
+        "bet (the paper's, with a ResNet-18 a camera)",
+    ),
+]
 RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`")]
 
 RobotName = Annotated[str | None, arg(metavar="ROBOT", help="a robot's name or robot file; by default the task's own")]
@@ -25,6 +33,10 @@ ControlName = Annotated[
 ]
 FirstSeed = Annotated[int, arg(help="of the first attempt; the next ones follow")]
 Workers = Annotated[int, arg(help="processes; 0 takes every core (no episode depends on it)")]
+Backend = Annotated[
+    Literal["local", "ray"],
+    arg(help="where the workers are: here, or in Ray: the cluster that RAY_ADDRESS names, else one of its own"),
+]
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 

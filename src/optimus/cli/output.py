@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as jsonlib
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,10 +11,14 @@ from typing import Any
 
 from tqdm import tqdm
 
+QUIET = "OPTIMUS_QUIET"
+"""The environment variable that stands for `--quiet`: no progress bars."""
+
 
 def say(result: dict[str, Any], json: bool, text: str) -> None:
     """The verb's answer, last on standard output: one JSON object, or a few words."""
     sys.stdout.write((jsonlib.dumps(result) if json else text) + "\n")
+    sys.stdout.flush()
 
 
 def rate(report: dict[str, Any]) -> str:
@@ -40,9 +45,11 @@ def table(result: dict[str, Any]) -> str:
 def _rows(value: Any) -> dict[str, Any]:
     """What stands below its own heading, line by line: parts that have parts, and lists of episodes."""
     if isinstance(value, list):
+        if not all(isinstance(row, dict) for row in value):
+            return {}
         return {f"seed {row['seed']}": {k: v for k, v in row.items() if k != "seed"} for row in value}
     nested = isinstance(value, dict) and any(isinstance(part, dict) for part in value.values())
-    return value if nested else {}
+    return dict(value) if nested else {}
 
 
 def _text(value: Any) -> str:
@@ -57,7 +64,8 @@ def _text(value: Any) -> str:
 
 
 def _new_bar(total: int | None, what: str, unit: str, silent: bool = False) -> Any:
-    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=silent)
+    quiet = silent or QUIET in os.environ
+    return tqdm(total=total, desc=what, unit=unit, file=sys.stderr, dynamic_ncols=True, mininterval=0.5, disable=quiet)
 
 
 @contextmanager
@@ -75,6 +83,16 @@ def counter(bar: Any) -> Callable[[int, int], None]:
             bar.set_postfix(successes=successes)
         bar.n = done
         bar.refresh()
+
+    return progress
+
+
+def counted(bar: Any) -> Callable[[int, int], None]:
+    """Shows `(done, of how many)` on a bar."""
+
+    def progress(done: int, of: int) -> None:
+        bar.total, bar.n = of, done
+        bar.update(0)
 
     return progress
 

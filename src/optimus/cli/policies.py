@@ -1,4 +1,4 @@
-"""`train` and `evaluate`: from a dataset to a policy, and how good it is."""
+"""`train`, `evaluate` and `export-policy`: from a dataset to a policy, how good it is, and on to elsewhere."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import arg
 
-from optimus.cli.options import Datasets, Json, ObjectsName, RobotName, RunFolder, Workers, chosen_robot
+from optimus.cli.options import Datasets, Json, ObjectsName, PresetName, RobotName, RunFolder, Workers, chosen_robot
 from optimus.cli.output import StageBars, bar, counter, rate, say
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from optimus.evaluate import Start
+    from optimus.learn.policy import PolicyConfig
     from optimus.learn.recipe import TrainConfig
     from optimus.learn.train import Progress
 
@@ -29,7 +30,10 @@ def train(
     minutes: float | None = None,
     steps: int | None = None,
     seed: int = 0,
-    recipe: Literal["quick", "paper"] = "quick",
+    preset: PresetName = "quick",
+    head: Literal["gmm", "gaussian", "mse", "flow", "bet"] | None = None,
+    observe: Literal["images", "state"] = "images",
+    recipe: Literal["quick", "paper"] | None = None,
     batch: int | None = None,
     accumulate: int = 1,
     ema: float | None = None,
@@ -49,6 +53,7 @@ def train(
 
     Try:
         optimus train data/stack --out runs/stack --minutes 12
+        optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
         optimus train data/stack --out runs/stack --steps 3000 --dagger 2 --dagger-episodes 50
@@ -59,7 +64,11 @@ def train(
         minutes: time to train for; the learning rate anneals over it; 10 unless --steps or the recipe say how many
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
-        recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K)
+        preset: the network
+        head: what answers, in place of the preset's own
+        observe: see with cameras, or be told the objects' positions (the paper's ablation)
+        recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K); by default the
+            preset's own
         batch: windows in a step, all processes together, in place of the recipe's
         accumulate: compute a batch in this many portions, one after the other
         ema: decay of the running average of the weights that is kept; 0 keeps the newest weights
@@ -73,22 +82,25 @@ def train(
         dagger_plain: add as many demonstrations by the expert alone instead, for comparison
         dagger_evaluations: episodes in which success is measured before and after each round
     """
+    from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
 
-    asked = Asked(minutes, steps, seed, recipe, batch, accumulate, ema, precision, device)
+    chosen = chosen_preset(preset, head, observe)
+    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, accumulate, ema, precision, device)
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
     if dagger > 0:
         _require_plain_lesson(datasets, corrections, initial)
         rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
-        _rounds(datasets[0], out, asked.config, rounds, json)
+        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, json)
         return
     with bar(None, "train", "step", silent=not is_first()) as shown:
-        run_train(datasets, out, asked.config, None, _training(shown), corrections, initial, board)
+        policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
     if is_first():
-        say({"run": str(out)}, json, str(out))
+        count = policy.parameter_count
+        say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
 
 
 def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None) -> None:
@@ -99,12 +111,14 @@ def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, .
         raise DatasetError("--dagger takes one dataset and one process, without --corrections and --initial")
 
 
-def _rounds(dataset: Path, out: Path, lesson: TrainConfig, rounds: tuple[int, int, bool, int, int], json: bool) -> None:
+def _rounds(
+    dataset: Path, out: Path, lesson: tuple[TrainConfig, PolicyConfig], rounds: tuple[int, int, bool, int, int], json: bool
+) -> None:
     from optimus.dagger import DaggerConfig, dagger
 
     bars = StageBars()
     try:
-        report = dagger(dataset, out, lesson, DaggerConfig(*rounds), bars)
+        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1])
     finally:
         bars.close()
     lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]
@@ -203,6 +217,7 @@ def evaluate(
     from optimus import evaluate as evaluation
     from optimus.data.atomic import write_json
     from optimus.learn import checkpoint
+    from optimus.learn.card import write_card
 
     trained_for = checkpoint.load(run, task).inputs.task
     arm = evaluation.trained_robot(run, chosen_robot(robot))
@@ -210,9 +225,26 @@ def evaluate(
     with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
         report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
     write_json(run / f"evaluation-{states}.json", report)
+    write_card(run)
     if videos is not None:
         evaluation.film_outcomes(run, starts, report, seed, component, videos, arm)
     say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
+
+
+def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
+    """Write a policy as one ONNX file: an observation in, an action out, crops and normalisation inside.
+
+    Try:
+        optimus export-policy runs/stack --onnx stack.onnx
+
+    Args:
+        onnx: the file to write
+    """
+    from optimus.learn import checkpoint
+    from optimus.learn.onnx_file import export_onnx
+
+    export_onnx(checkpoint.load(run), onnx)
+    say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 
 def _starts(

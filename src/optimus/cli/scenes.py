@@ -19,7 +19,10 @@ def tasks(json: Json = False) -> None:
     from optimus.tasks import task as task_named
 
     all_tasks = [task_named(name) for name in TASKS]
-    rows = [{"name": t.name, "summary": t.summary, "horizon": t.horizon, "gym": gym_id(t.name)} for t in all_tasks]
+    rows = [
+        {"name": t.name, "summary": t.summary, "instruction": t.problem(0).instruction, "horizon": t.horizon, "gym": gym_id(t.name)}
+        for t in all_tasks
+    ]
     width = max(len(name) for name in TASKS)
     say({"tasks": rows}, json, "\n".join(f"{r['name']:<{width}} {r['summary']}  [{r['gym']}]" for r in rows))
 
@@ -27,6 +30,7 @@ def tasks(json: Json = False) -> None:
 def show(
     task: TaskName,
     plan: bool = False,
+    film: bool = False,
     check: bool = False,
     seed: int = 0,
     out: Path | None = None,
@@ -40,12 +44,14 @@ def show(
         optimus show stack --seed 3
         optimus show stack --plan --check --seed 3 --out plan.png
         optimus show stack --robot ur5e
+        optimus show stack --film --out stack.webp
 
     Args:
         plan: draw the plan, one skill after another, with its motions (blue: hand empty, orange: carrying)
+        film: write a short looping film of the expert instead (WebP; GIF if --out says so)
         check: with --plan: refuse a plan that does not stand up to an independent check of its motions and effects
         seed: which problem
-        out: the PNG to write; by default TASK-SEED[-plan].png here
+        out: the file to write; by default TASK-SEED[-plan].png or TASK-SEED.webp here
     """
     from optimus.demonstrate import ExpertConfig
     from optimus.show import sentence, show_plan, show_scene
@@ -53,8 +59,17 @@ def show(
     from optimus.tasks import with_objects
 
     chosen = task_named(with_objects(task, objects))
+    if film and plan:
+        raise OptimusError("either --film or --plan: a plan is a picture, a film shows it carried out")
     if check and not plan:
         raise OptimusError("--check is for plans: add --plan")
+    if film:
+        from optimus.show import show_film
+
+        out = out or Path(f"{task}-{seed}.webp")
+        episode = show_film(chosen, seed, out, chosen_robot(robot))
+        text = f"{', '.join(episode.skeleton) or chosen.summary}: {len(episode)} steps"
+        return say({"film": str(out), "shows": text, "steps": len(episode)}, json, f"{text}\n{out}")
     out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
     if plan:
         found = show_plan(chosen, seed, out, ExpertConfig(check=check), chosen_robot(robot))

@@ -7,7 +7,7 @@ from typing import ClassVar
 import mujoco
 import numpy as np
 
-from optimus.control.controller import POSITION_SCALE, SCALE
+from optimus.control.controller import POSITION_SCALE, ROTATION_SCALE, SCALE
 from optimus.se3 import Array, Pose, error_between, quat_from_rotvec, quat_mul
 from optimus.world import World
 
@@ -21,7 +21,7 @@ class PoseTarget:
     """Actions `(6,)` in [-1, 1]: delta position and delta rotation vector of the target, base frame."""
 
     size = 6
-    scales: ClassVar[dict[str, float]] = {"position_scale": POSITION_SCALE}
+    scales: ClassVar[dict[str, float]] = {"position_scale": POSITION_SCALE, "rotation_scale": ROTATION_SCALE}
 
     def __init__(self, world: World) -> None:
         self.world = world

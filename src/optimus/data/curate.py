@@ -1,20 +1,30 @@
-"""Curation: which episodes are learned from, and why not the others; only `curation.json` is written."""
+"""Curation: which episodes are learned from, and why not the others; only `curation.json` is written.
+
+The rules, in the order in which one of them becomes an episode's reason: `RULES`.
+"""
 
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass
+from collections import Counter
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from optimus.data.atomic import write_json
+from optimus.data.episode import VIEWS
 from optimus.data.episode_file import EpisodeHeader
+from optimus.data.frustum import in_view
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
 CURATION_FILE = "curation.json"
+
+FAILED, RETRIED, TOO_LONG = "failed", "retried", "too long"
+OUTSIDE, OUT_OF_VIEW, OFF_PATH = "outside workspace", "out of view", "tracking error"
+RULES = (FAILED, RETRIED, TOO_LONG, OUTSIDE, OUT_OF_VIEW, OFF_PATH)
 
 
 @dataclass(frozen=True)
@@ -22,13 +32,17 @@ class CurationConfig:
     """What an episode has to be like to be learned from."""
 
     max_length_sd: float = 2.0
-    """Longest episode: mean + this many standard deviations of the lengths of its plan skeleton."""
+    """Longest episode: mean + this many standard deviations of the lengths of successful ones."""
+    length_over: Literal["skeleton", "all"] = "skeleton"
+    """... of those with its plan skeleton, or of all (the paper's rule, which cuts the longer branch of a task)."""
     workspace_min: tuple[float, float, float] | None = None
     """Lower corner [m] of the box that the tcp has to stay in."""
     workspace_max: tuple[float, float, float] | None = None
     """Upper corner [m] of that box."""
+    in_view: tuple[str, ...] = ()
+    """Fixed cameras in whose picture the tcp and every object have to be at every step."""
     max_tracking_error: float | None = None
-    """Largest mean distance [m] between the controller's target and the tcp."""
+    """Largest median distance of the tcp from the planned path [m]."""
     keep_retried: bool = False
     """Whether to keep episodes in which the expert had to plan again."""
     validation_share: float = 0.1
@@ -47,11 +61,19 @@ class Curation:
     validation: tuple[int, ...]
     dropped: dict[int, str]
     config: dict[str, Any]
+    broken: dict[str, int] = field(default_factory=dict)
+    """How many episodes break each rule, whatever other rules they break."""
 
     @property
     def kept(self) -> tuple[int, ...]:
         """All ids that are learned from or validated on, ascending."""
         return tuple(sorted(self.train + self.validation))
+
+    @property
+    def rules(self) -> dict[str, dict[str, int]]:
+        """Rule -> how many episodes it `removed` that no rule before it did, and how many it would remove `alone`."""
+        removed = Counter(self.dropped.values())
+        return {rule: {"removed": removed[rule], "alone": n} for rule, n in self.broken.items()}
 
 
 def curate(path: Path | str, config: CurationConfig | None = None) -> Curation:
@@ -59,18 +81,19 @@ def curate(path: Path | str, config: CurationConfig | None = None) -> Curation:
     config = config or CurationConfig()
     store = EpisodeStore.open(path)
     headers = store.headers()
-    limits = _length_limits([h for h in headers if h.success], config.max_length_sd)
-    reasons = {h.seed: _reason(h, limits, config) for h in headers}
-    kept = [seed for seed, reason in reasons.items() if not reason]
+    limits = _length_limits([h for h in headers if h.success], config)
+    reasons = {h.seed: _reasons(h, limits, config) for h in headers}
+    kept = [seed for seed, broken in reasons.items() if not broken]
     if len(kept) < 2:
-        causes = ", ".join(sorted({r for r in reasons.values() if r})) or "the dataset is that small"
+        causes = ", ".join(sorted({rule for broken in reasons.values() for rule in broken})) or "the dataset is that small"
         raise DatasetError(
             f"{store.path}: {len(kept)} of {len(headers)} episodes left ({causes}), at least 2 are needed; "
             "collect more or curate less strictly"
         )
     train, validation = _split(kept, config)
-    dropped = {seed: reason for seed, reason in reasons.items() if reason}
-    curation = Curation(train, validation, dropped, json.loads(json.dumps(asdict(config))))
+    dropped = {seed: broken[0] for seed, broken in reasons.items() if broken}
+    counts = {rule: sum(rule in broken for broken in reasons.values()) for rule in RULES}
+    curation = Curation(train, validation, dropped, json.loads(json.dumps(asdict(config))), counts)
     write_json(store.path / CURATION_FILE, _as_json(curation, store.task))
     return curation
 
@@ -83,7 +106,8 @@ def load_curation(path: Path | str) -> Curation:
     try:
         value = json.loads(file.read_text())
         dropped = {int(seed): reason for seed, reason in value["dropped"].items()}
-        return Curation(tuple(value["train"]), tuple(value["validation"]), dropped, value["config"])
+        broken = {str(rule): int(n) for rule, n in value.get("broken", {}).items()}
+        return Curation(tuple(value["train"]), tuple(value["validation"]), dropped, value["config"], broken)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise DatasetError(f"{file} is damaged ({error}); curate again") from error
 
@@ -95,30 +119,34 @@ def _as_json(curation: Curation, task: str) -> dict[str, Any]:
         "train": list(curation.train),
         "validation": list(curation.validation),
         "dropped": {str(seed): reason for seed, reason in curation.dropped.items()},
+        "broken": curation.broken,
     }
 
 
-def _length_limits(headers: list[EpisodeHeader], sd: float) -> dict[tuple[str, ...], float]:
-    """Longest length [steps] for each skeleton; a limit for all would cut the longer branch of a task."""
+def _group(header: EpisodeHeader, config: CurationConfig) -> tuple[str, ...]:
+    """What an episode's length is compared with: those of the same group."""
+    return header.skeleton if config.length_over == "skeleton" else ()
+
+
+def _length_limits(headers: list[EpisodeHeader], config: CurationConfig) -> dict[tuple[str, ...], float]:
+    """Longest length [steps] for each group."""
     lengths: dict[tuple[str, ...], list[int]] = {}
     for header in headers:
-        lengths.setdefault(header.skeleton, []).append(header.steps)
-    return {skeleton: float(np.mean(n) + sd * np.std(n)) for skeleton, n in lengths.items()}
+        lengths.setdefault(_group(header, config), []).append(header.steps)
+    return {group: float(np.mean(n) + config.max_length_sd * np.std(n)) for group, n in lengths.items()}
 
 
-def _reason(header: EpisodeHeader, limits: dict[tuple[str, ...], float], config: CurationConfig) -> str:
-    """Why an episode is left out, in one or two words; empty if it is kept."""
-    if not header.success:
-        return "failed"
-    if header.info.get("retries", 0) > 0 and not config.keep_retried:
-        return "retried"
-    if header.steps > limits[header.skeleton] + 1e-9:
-        return "too long"
-    if _leaves_workspace(header, config):
-        return "outside workspace"
-    if config.max_tracking_error is not None and _tracking_error(header) > config.max_tracking_error:
-        return "tracking error"
-    return ""
+def _reasons(header: EpisodeHeader, limits: dict[tuple[str, ...], float], config: CurationConfig) -> list[str]:
+    """The rules that an episode breaks, in their order."""
+    broken = {
+        FAILED: not header.success,
+        RETRIED: header.info.get("retries", 0) > 0 and not config.keep_retried,
+        TOO_LONG: header.success and header.steps > limits[_group(header, config)],
+        OUTSIDE: _leaves_workspace(header, config),
+        OUT_OF_VIEW: any(_leaves_view(header, camera) for camera in config.in_view),
+        OFF_PATH: config.max_tracking_error is not None and _tracking_error(header) > config.max_tracking_error,
+    }
+    return [rule for rule in RULES if broken[rule]]
 
 
 def _leaves_workspace(header: EpisodeHeader, config: CurationConfig) -> bool:
@@ -130,9 +158,20 @@ def _leaves_workspace(header: EpisodeHeader, config: CurationConfig) -> bool:
     return bool(((position < low) | (position > high)).any())
 
 
+def _leaves_view(header: EpisodeHeader, camera: str) -> bool:
+    views = header.info.get(VIEWS, {})
+    if camera not in views:
+        raise DatasetError(f"{header.path} says nothing of a fixed camera {camera!r}; it tells of {', '.join(views) or 'none'}")
+    points = np.concatenate([header.read("objects"), header.read("obs.robot0_eef_pos")[:, None]], axis=1)
+    return not in_view(points, views[camera]).all()
+
+
 def _tracking_error(header: EpisodeHeader) -> float:
-    """Mean distance [m] between the controller's target and the tcp."""
-    return float(np.linalg.norm(header.read("obs.robot0_target_error")[:, :3], axis=1).mean())
+    """Median distance [m] of the tcp from the planned path."""
+    error = header.info.get("tracking_error")
+    if error is None:
+        raise DatasetError(f"{header.path} does not say how well the plan was followed; curate without a limit on that")
+    return float(error["median"])
 
 
 def _split(kept: list[int], config: CurationConfig) -> tuple[tuple[int, ...], tuple[int, ...]]:

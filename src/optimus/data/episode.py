@@ -14,6 +14,10 @@ GRIPPER = -1
 OSC = "osc"
 """The way of control where none is recorded."""
 
+BINARY, CONTINUOUS = "binary", "continuous"
+"""What an action tells the gripper: to open or to shut, by its sign, which is meant where nothing is recorded; or where to be, from
+-1 open to 1 shut and pressing (the gripper aims beyond where its fingers meet)."""
+
 TASKS_OWN = "the task's own"
 """The robot where none is recorded; others are recorded by name."""
 
@@ -23,6 +27,9 @@ def arm_parts(control: str, size: int) -> tuple[slice, ...]:
     else delta position (3) and delta rotation vector (3), base frame."""
     return (slice(0, size - 1),) if control == "joint" else (slice(0, 3), slice(3, 6))
 
+
+INSTRUCTION = "instruction"
+"""In an episode's `info`: what was wanted, in plain English; episodes of older data sets have none."""
 
 PROPRIOCEPTION: dict[str, int] = {
     "robot0_eef_pos": 3,
@@ -34,8 +41,25 @@ PROPRIOCEPTION: dict[str, int] = {
 finger positions [m], and the controller's target minus the tcp (position [m], rotation vector [rad]). Under joint control
 `robot0_joint_pos` and `robot0_joint_target_error` `(dof,)` [rad] stand in place of the last."""
 
+OBJECT_POSITIONS = "object_positions"
+"""Where an agent that is told the scene's state instead of seeing it finds the movables' positions `(3 k,)` [m], as the scene
+orders them. Datasets hold them in `objects`."""
+
 IMAGE_SUFFIX = "_image"
+DEPTH_SUFFIX = "_depth"
+"""`(T, h, w)` float32: distance along the camera's axis [m]."""
+SEGMENTATION_SUFFIX = "_segmentation"
+"""`(T, h, w)` uint8: 0 where there is nothing of note, else 1 + the index into the episode's `info[SEGMENTED]`."""
 IMAGE_SIZE = 84
+
+VIEWS = "views"
+"""In `Episode.info`: the fixed cameras, name -> `pos` `(3,)` [m] and `quat` wxyz in the base frame (it looks along its -z, and
+its y is up), `fovy` [deg]."""
+STATE_COLUMNS = "state_columns"
+"""In `Episode.info`: `objects` and `doors`, name -> the column of `states` at which an object's pose begins (position [m],
+quaternion wxyz), or in which a door's angle [rad] is."""
+SEGMENTED = "segmented"
+"""In `Episode.info`: the names that segmentation images refer to."""
 
 Observation = dict[str, NDArray[Any]]
 """One step: the arrays of `PROPRIOCEPTION` as float32 `(n,)`, and `<camera>_image` as uint8 `(84, 84, 3)`."""
@@ -67,7 +91,11 @@ class Episode:
     skeleton: tuple[str, ...] = ()
     """The plan's skills in order, e.g. `("pick", "stack")`; empty for a policy."""
     info: dict[str, Any] = field(default_factory=dict)
-    """JSON-able facts: variant of the scene, timings, tracking error, retries, versions."""
+    """JSON-able facts: variant of the scene, instruction, what the objects are called (`words`), timings, tracking error, retries,
+    versions, `VIEWS`, `STATE_COLUMNS`."""
+    states: NDArray[np.float64] | None = None
+    """`(T, n)`: the simulator's time [s], positions and velocities (MuJoCo's qpos and qvel) at each observation, from which it
+    can be rendered again; None where nobody recorded them."""
 
     def __len__(self) -> int:
         return len(self.actions)

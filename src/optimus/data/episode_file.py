@@ -107,6 +107,7 @@ def read_episode(header: EpisodeHeader) -> Episode:
         failure=header.failure,
         skeleton=header.skeleton,
         info=header.info,
+        states=header.read("states") if "states" in header.arrays else None,
     )
     for name, array in _arrays(episode).items():
         require_finite(array, header.path, name)
@@ -153,7 +154,7 @@ def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
 def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:
     names = tuple(facts["observations"])
     steps = arrays["actions"].shape[0]
-    for name in ("executed", "objects", *(OBSERVATION_PREFIX + n for n in names)):
+    for name in ("executed", "objects", *{"states"} & arrays.keys(), *(OBSERVATION_PREFIX + n for n in names)):
         if arrays[name].shape[0] != steps:
             raise ValueError(f"{name} has {arrays[name].shape[0]} steps, actions have {steps}")
     return EpisodeHeader(
@@ -175,6 +176,7 @@ def _arrays(episode: Episode) -> dict[str, NDArray[Any]]:
     named = {OBSERVATION_PREFIX + name: array for name, array in episode.observations.items()}
     named |= {"actions": episode.actions, "executed": episode.executed}
     named |= {"initial_state": episode.initial_state, "objects": episode.objects}
+    named |= {} if episode.states is None else {"states": episode.states}
     return {name: np.ascontiguousarray(array) for name, array in named.items()}
 
 

@@ -31,6 +31,7 @@ from optimus.data.episode_file import (
 from optimus.errors import DatasetError
 
 DATASET_FORMAT = "optimus-dataset"
+DESCRIPTION = "dataset.json"
 
 _EPISODE_NAME = re.compile(r"(\d{8,})\.safetensors")
 _FAILURE_NAME = re.compile(r"(\d{8,})\.json")
@@ -53,7 +54,7 @@ class EpisodeStore:
         """A new dataset, or the one that is there if it was made for the same task with the same settings."""
         path = Path(path)
         wanted = {"task": task, "cameras": list(cameras), "config": json.loads(json.dumps(dict(config)))}
-        if (path / "dataset.json").exists():
+        if (path / DESCRIPTION).exists():
             store = cls.open(path)
             store._require_same(wanted)
             return store
@@ -67,7 +68,7 @@ class EpisodeStore:
             **wanted,
             "versions": installed_versions(),
         }
-        write_json(path / "dataset.json", description)
+        write_json(path / DESCRIPTION, description)
         return cls(path, description)
 
     @classmethod
@@ -155,7 +156,7 @@ def _package_version() -> str:
 
 
 def _read_description(path: Path) -> dict[str, Any]:
-    file = path / "dataset.json"
+    file = path / DESCRIPTION
     if not file.exists():
         raise DatasetError(f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one")
     value = _read_json(file)

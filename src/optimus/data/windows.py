@@ -1,8 +1,7 @@
 """Windows of consecutive frames for training, cut from the episode files themselves.
 
-Images stay on disk as uint8 and are mapped into memory: a crop is copied out of the map, nothing is decoded,
-and the operating system's page cache is the only cache. Low-dimensional arrays are small and are held in
-memory.
+Images stay on disk as uint8, and only what is asked for is read (`frames.py`). Low-dimensional arrays are small and are held
+in memory.
 
 The unit of sampling is a *run*: `windows` consecutive windows of `context` frames each, which share their
 frames, so that `windows + context - 1` frames are encoded once and not `windows * context`.
@@ -17,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
@@ -37,6 +37,10 @@ class WindowConfig:
     """Weight of the labels near an opening or closing of the gripper; all others weigh 1."""
     change_reach: int = 2
     """How many steps before and after such a change count as near."""
+    ahead: int = 0
+    """Labels of the steps after a frame that are given with its own."""
+    images: bool = True
+    """Cut from the images; if not, the objects' positions are given with the proprioception instead."""
 
     @property
     def frames(self) -> int:
@@ -60,13 +64,15 @@ class Batch:
     """`(B, F)`: weight of each label; 0 where the frame only repeats the first one of its episode."""
     objects: NDArray[np.float32]
     """`(B, F, k, 3)` [m]; NaN for those that the scene of an episode does not have."""
+    ahead: NDArray[np.float32]
+    """`(B, F, ahead, n)`: the labels of the steps after each frame; after the last step, its own again."""
 
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """One episode: image maps and arrays."""
+    """One episode: where its images are, and arrays."""
 
-    images: dict[str, NDArray[np.uint8]]
+    images: dict[str, Frames]
     proprioception: dict[str, NDArray[np.float32]]
     actions: NDArray[np.float32]
     weight: NDArray[np.float32]
@@ -82,11 +88,11 @@ class Windows:
         if not seeds:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
-        self.cameras, self.control, self.robot = store.cameras, store.control, store.robot
+        self.cameras, self.control, self.robot = store.cameras if config.images else (), store.control, store.robot
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         objects = max(header.arrays["objects"].shape[1] for header in headers)
-        self.tracks = tuple(_track(header, store.cameras, config, objects) for header in headers)
+        self.tracks = tuple(_track(header, self.cameras, config, objects) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them.
         self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self.tracks])
@@ -98,7 +104,7 @@ class Windows:
     @property
     def frame_shapes(self) -> dict[str, tuple[int, int]]:
         """Height and width of the images, by camera."""
-        return {camera: images.shape[1:3] for camera, images in self.tracks[0].images.items()}
+        return {camera: (images.shape[1], images.shape[2]) for camera, images in self.tracks[0].images.items()}
 
     @property
     def labels(self) -> int:
@@ -146,8 +152,8 @@ class Windows:
         images = {}
         for camera in self.cameras:
             out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
-            for run, (track, frames), (top, left) in zip(out, places, offsets[camera], strict=True):
-                _copy(run, track.images[camera][:, top : top + side, left : left + side], frames)
+            for run, (track, frames), corner in zip(out, places, offsets[camera], strict=True):
+                _copy(run, track.images[camera], corner, frames)
             images[camera] = out
         weight = np.stack([np.where(frames < 0, 0, track.weight[frames.clip(0)]) for track, frames in places])
         names = self.tracks[0].proprioception
@@ -158,6 +164,7 @@ class Windows:
             actions=np.stack([track.actions[frames.clip(0)] for track, frames in places]),
             weight=weight.astype(np.float32),
             objects=np.stack([track.objects[frames.clip(0)] for track, frames in places]),
+            ahead=np.stack([_ahead(track.actions, frames, self.config.ahead) for track, frames in places]),
         )
 
     def place(self, index: int | np.integer[Any]) -> tuple[int, NDArray[np.int64]]:
@@ -168,13 +175,17 @@ class Windows:
         return number, np.arange(end - self.config.frames + 1, end + 1)
 
 
-def _copy(out: NDArray[np.uint8], source: NDArray[np.uint8], frames: NDArray[np.int64]) -> None:
-    """`out[i] = source[max(frames[i], 0)]` for consecutive frames, in one copy where they are inside."""
+def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any]], frames: NDArray[np.int64]) -> None:
+    """`out[i]` becomes the crop at `corner` of frame `max(frames[i], 0)`, for consecutive frames."""
     before = min(max(-int(frames[0]), 0), len(frames) - 1)
-    first = int(frames[0]) + before
-    out[before:] = source[first : first + len(frames) - before]
+    source.crop(out[before:], int(frames[0]) + before, corner)
     if before:
-        out[:before] = source[0]
+        out[:before] = out[before]
+
+
+def _ahead(actions: NDArray[np.float32], frames: NDArray[np.int64], count: int) -> NDArray[np.float32]:
+    """`(F, count, n)`: the labels of the steps after each of some frames."""
+    return actions[(frames.clip(0)[:, None] + np.arange(1, count + 1)).clip(max=len(actions) - 1)]
 
 
 def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int) -> Track:
@@ -183,14 +194,17 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, 
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
         if min(slot.shape[1:3]) < config.crop:
             raise DatasetError(f"{header.path}: images of {slot.shape[1:3]} are smaller than the crop of {config.crop}")
-        images[camera] = np.memmap(header.path, np.uint8, "r", slot.offset, slot.shape)
-    names = [n for n in header.observation_names if not n.endswith(IMAGE_SUFFIX)]
+        images[camera] = Frames(header.path, slot)
+    names = [n for n in header.observation_names if len(header.arrays[OBSERVATION_PREFIX + n].shape) == 2]
     low = {name: header.read(OBSERVATION_PREFIX + name) for name in names}
     actions, places = header.read("actions"), header.read("objects")
     for name, array in {**low, "actions": actions, "objects": places}.items():
         require_finite(array, header.path, name)
     places = np.pad(places, ((0, 0), (0, objects - places.shape[1]), (0, 0)), constant_values=np.nan)
     proprioception = {name: array.astype(np.float32) for name, array in low.items()}
+    if not config.images:
+        # a thing that a scene does not have is at the origin to who is told where things are
+        proprioception[OBJECT_POSITIONS] = np.nan_to_num(places.reshape(len(places), -1))
     return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places)
 
 
@@ -202,11 +216,15 @@ def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray
     return weight
 
 
+_NOT_CUT = {"initial_state", "states"}
+"""What windows have no use for."""
+
+
 def _require_same_shapes(headers: list[EpisodeHeader]) -> None:
     """All episodes have the same arrays, of the same shapes but for the number of steps; other tasks may have other objects."""
     like = {header.task: header for header in reversed(headers)}
     for header in headers:
-        for first, free in ((headers[0], ("initial_state", "objects")), (like[header.task], ("initial_state",))):
+        for first, free in ((headers[0], {*_NOT_CUT, "objects"}), (like[header.task], _NOT_CUT)):
             expected, shapes = _step_shapes(first, free), _step_shapes(header, free)
             for name in sorted(expected.keys() | shapes.keys()):
                 if expected.get(name) != shapes.get(name):
@@ -216,6 +234,6 @@ def _require_same_shapes(headers: list[EpisodeHeader]) -> None:
                     )
 
 
-def _step_shapes(header: EpisodeHeader, free: tuple[str, ...]) -> dict[str, tuple[int, ...]]:
+def _step_shapes(header: EpisodeHeader, free: set[str]) -> dict[str, tuple[int, ...]]:
     """The shape of a step of every array but those that are `free`."""
     return {name: slot.shape[1:] for name, slot in header.arrays.items() if name not in free}

@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
+import copy
 from collections import deque
+from collections.abc import Callable
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
+from torch._inductor import config as inductor
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, Observation
+from optimus.data.episode import IMAGE_SUFFIX, Observation
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
-from optimus.learn.heads import Mixture
+from optimus.learn.encoder.prepack import prepacked
+from optimus.learn.heads import Component
 from optimus.learn.policy import Policy
-
-Component = Literal["sampled", "likeliest", "paper"]
-
-SHARPNESS = 4.0
-"""Where two components mean two ways to the same end, drawing evenly between them at every step leads neither way; always taking
-the likelier one may stand still for ever. Between the two: docs/results/first-policies.md."""
 
 
 class PolicyAgent:
-    """Acts on the newest frames: each is encoded once, the transformer sees the tokens of the last few.
+    """Acts on the newest frames: each is encoded once, the trunk sees the tokens of the last few.
 
     `component` says which mean of the mixture is the answer: one `sampled` by a sharpened weight, or that of the `likeliest`, which
     may freeze where the demonstrations stood still. The gripper is a decision, and one wrong step of it drops what is held: it goes
     by the majority of the weight. `paper` samples by the plain weight, and the gripper with the rest.
+
+    `compiled` has PyTorch compile the network first, which takes a minute: for long use.
     """
 
     def __init__(
@@ -37,37 +36,47 @@ class PolicyAgent:
         policy: Policy | Path | str,
         component: Component = "sampled",
         task: str | None = None,
+        compiled: bool = False,
     ) -> None:
         self.policy = policy if isinstance(policy, Policy) else checkpoint.load(policy, task)
         self.policy.eval()
         self.component: Component = component
+        self._look, self._think = self.policy.token, self.policy.features
+        if compiled:
+            self._look, self._think = _compiled(self.policy)
+        elif self.policy.config.encoder.prepacked:
+            self._look = _with_prepacked_encoders(self.policy).token
         self._tokens: deque[Tensor] = deque(maxlen=self.policy.config.context)
+        self._planned: deque[NDArray[np.float32]] = deque()
         self._noise = torch.Generator()
-        self.reset(0)
+        self.reset()
 
-    def reset(self, seed: int) -> None:
+    def reset(self, seed: int = 0) -> None:
         """Forget the frames; the answers that follow are a function of the seed and the observations."""
         self._tokens.clear()
+        self._planned.clear()
         self._noise.manual_seed(seed)
 
-    @torch.inference_mode()
+    @torch.no_grad()
     def act(self, observation: Observation) -> NDArray[np.float32]:
         """The action `(n,)` for the newest observation; the gripper is -1 or 1."""
-        token = self._encode(observation)
+        token = self._look(*self._tensors(observation))
         # Before the first frame there is the first frame, as in training.
         self._tokens.extend([token] * (1 if self._tokens else self.policy.config.context))
-        features = self.policy.features(torch.stack(list(self._tokens), 1))[:, -1]
-        mixture = self.policy.mixture(features)
-        sharpness = 1.0 if self.component == "paper" else SHARPNESS
-        answer = mixture.likeliest() if self.component == "likeliest" else mixture.sampled(self._noise, sharpness)
-        action = self.policy.denormalise(answer)[0].numpy().astype(np.float32)
-        shut = bool(action[GRIPPER] > 0) if self.component == "paper" else _majority(mixture)
-        action[GRIPPER] = 1.0 if shut else -1.0
-        return action.clip(-1, 1)
+        if not self._planned:
+            self._plan()
+        return self._planned.popleft()
 
-    def _encode(self, observation: Observation) -> Tensor:
-        """The token `(1, width)` of one frame."""
-        inputs = self.policy.inputs
+    def _plan(self) -> None:
+        """Answer: with the next action, or the next few where the head answers in chunks."""
+        features = self._think(torch.stack(list(self._tokens), 1))[:, -1]
+        answer = self.policy.answers(features).answer(self.component, self._noise)
+        actions = self.policy.denormalise(answer).numpy().astype(np.float32).clip(-1, 1)
+        self._planned.extend(actions.reshape(-1, actions.shape[-1])[: self.policy.config.head.executed])
+
+    def _tensors(self, observation: Observation) -> tuple[dict[str, Tensor], dict[str, Tensor]]:
+        """Images and proprioception of one frame, as the policy takes them."""
+        inputs, crop = self.policy.inputs, self.policy.config.crop
         needed = [camera + IMAGE_SUFFIX for camera in inputs.cameras] + list(inputs.proprioception)
         missing = [name for name in needed if name not in observation]
         if missing:
@@ -75,18 +84,46 @@ class PolicyAgent:
                 f"the policy needs {', '.join(missing)}, the observation has {', '.join(observation)}; "
                 "use the environment it was trained in"
             )
-        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], self.policy.config.crop) for camera in inputs.cameras}
+        for name, size in inputs.proprioception.items():
+            if observation[name].shape != (size,):
+                raise CheckpointError(
+                    f"the policy needs {name} of shape ({size},), the observation has {observation[name].shape}; "
+                    "use the environment it was trained in"
+                )
+        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], crop) for camera in inputs.cameras}
         low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
-        return self.policy.tokens(self.policy.frames(images, low))
+        return images, low
+
+
+@torch.no_grad()
+def _compiled(policy: Policy) -> tuple[Callable[..., Tensor], Callable[..., Tensor]]:
+    """`policy.token` of one frame and `policy.features` of one window, compiled: the weights become constants that are laid out for
+    the machine, which PyTorch does only where this is set while it compiles."""
+    config, seen = policy.config, policy.inputs
+    images = {camera: torch.zeros(1, config.crop, config.crop, 3, dtype=torch.uint8) for camera in seen.cameras}
+    low = {name: torch.ones(1, size) for name, size in seen.proprioception.items()}
+    look, think = torch.compile(policy.token, dynamic=False), torch.compile(policy.features, dynamic=False)
+    with inductor.patch(freezing=True):
+        think(look(images, low)[:, None].repeat(1, config.context, 1))
+    return look, think
+
+
+def _with_prepacked_encoders(policy: Policy) -> Policy:
+    """A copy of the policy to encode one frame at a time with."""
+    acting = copy.deepcopy(policy)
+    side = policy.config.crop
+    for encoder in acting.encoders.values():
+        image = torch.zeros(1, 3, side, side).to(memory_format=torch.channels_last)
+        encoder.trunk = prepacked(encoder.get_submodule("trunk"), image)
+    return acting
 
 
 def _centre(image: NDArray[np.uint8], side: int) -> Tensor:
-    """The middle of an image, `(1, side, side, 3)`."""
+    """The middle of an image, `(1, side, side, 3)`; `CheckpointError` if it is none, or too small."""
+    if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3 or min(image.shape[:2]) < side:
+        raise CheckpointError(
+            f"the policy needs images of type uint8 and shape (h, w, 3), h and w at least {side}; "
+            f"this one has type {image.dtype} and shape {image.shape}"
+        )
     top, left = (image.shape[0] - side) // 2, (image.shape[1] - side) // 2
     return torch.from_numpy(np.ascontiguousarray(image[top : top + side, left : left + side]))[None]
-
-
-def _majority(mixture: Mixture) -> bool:
-    """Whether components of more than half of the weight have the gripper shut."""
-    weight = torch.softmax(mixture.logits[0], -1)
-    return bool(weight[mixture.mean[0, :, GRIPPER] > 0].sum() > 0.5)

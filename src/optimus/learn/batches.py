@@ -25,6 +25,12 @@ class TensorBatch:
     actions: Tensor
     weight: Tensor
     objects: Tensor
+    ahead: Tensor
+
+    @property
+    def labels(self) -> Tensor:
+        """What a head is taught at each frame: the action `(B, F, n)`, or where it answers in chunks `(B, F, chunk, n)`."""
+        return torch.cat([self.actions[:, :, None], self.ahead], 2) if self.ahead.shape[2] else self.actions
 
 
 class BatchSource(Protocol):
@@ -44,7 +50,7 @@ def on_device(batch: Batch | TensorBatch, device: torch.device) -> TensorBatch:
         {name: send(array) for name, array in arrays.items()}
         for arrays in (batch.images, batch.shifts, batch.proprioception)
     )
-    return TensorBatch(images, shifts, low, send(batch.actions), send(batch.weight), send(batch.objects))
+    return TensorBatch(images, shifts, low, send(batch.actions), send(batch.weight), send(batch.objects), send(batch.ahead))
 
 
 class ResidentWindows:
@@ -67,6 +73,9 @@ class ResidentWindows:
         places = [windows.place(i) for i in rng.integers(len(windows), size=runs)]
         offsets = windows.offsets(runs, rng)
         frames = self._there(np.stack([self._starts[number] + frames.clip(0) for number, frames in places]))
+        steps = np.arange(1, windows.config.ahead + 1)
+        following = [(f.clip(0)[:, None] + steps).clip(max=len(windows.tracks[n].actions) - 1) for n, f in places]
+        later = self._there(np.stack([self._starts[n] + f for (n, _), f in zip(places, following, strict=True)]))
         inside = self._there(np.stack([frames >= 0 for _, frames in places]))
         return TensorBatch(
             images={c: self._crops(c, frames, self._there(corners)) for c, corners in offsets.items()},
@@ -75,6 +84,7 @@ class ResidentWindows:
             actions=self._actions[frames],
             weight=self._weight[frames] * inside,
             objects=self._objects[frames],
+            ahead=self._actions[later],
         )
 
     def _there(self, array: np.ndarray) -> Tensor:

@@ -146,7 +146,8 @@ class GradientWorkers:
 def batch_loss(
     policy: Policy, batch: Batch | TensorBatch, config: LossConfig, noise: torch.Generator | None, half: bool
 ) -> tuple[Tensor, Tensor]:
-    """Mean negative log-likelihood of a batch's labels, and mean error of its objects' positions."""
+    """Mean loss of the head over a batch's labels (of a mixture: negative log-likelihood), and mean error of its objects'
+    positions."""
     seen = on_device(batch, policy.action_scale.device)
     # One crop for a run of frames.
     count = seen.actions.shape[1]
@@ -154,13 +155,13 @@ def batch_loss(
     frames = policy.frames(seen.images, seen.proprioception, shifts, half)
     context = policy.config.context
     features = policy.features(windows_of(policy.tokens(frames), context).flatten(0, 1), noise)
-    actions = windows_of(seen.actions, context).flatten(0, 1)
+    actions = windows_of(seen.labels, context).flatten(0, 1)
     weight = windows_of(seen.weight, context).flatten(0, 1)
     if config.supervise == "last":
         features, actions, weight = features[:, -1:], actions[:, -1:], weight[:, -1:]
-    loss = policy.head.loss(features, policy.normalise(actions))
+    loss = policy.head.loss(features, policy.normalise(actions), noise)
     likelihood = (loss * weight).sum() / weight.sum().clamp(min=1)
-    if config.location_weight == 0:
+    if config.location_weight == 0 or not policy.locates:
         return likelihood, torch.zeros_like(likelihood)
     return likelihood, policy.location_error(frames, seen.objects).mean()
 

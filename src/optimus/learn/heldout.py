@@ -18,12 +18,12 @@ _RUNS_AT_ONCE = 32
 
 @torch.inference_mode()
 def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float | None = None) -> dict[str, float]:
-    """Errors of the likeliest component's mean at the last frame of evenly spread windows, centre crop.
+    """Errors of the likeliest answer at the last frame of evenly spread windows, centre crop.
 
     `action_error`: mean distance in position (under joint control: of the joints), in units of the action;
     `action_error_mm`: the same [mm] if the action's scale [m] is known; `gripper_right`: share of gripper answers
-    with the label's sign; `likelihood`: mean negative log-likelihood; `location_error_mm`: mean distance of the auxiliary answer,
-    if the policy was taught it.
+    with the label's sign; `likelihood`: mean loss of the head (of a mixture: negative log-likelihood); `location_error_mm`: mean
+    distance of the auxiliary answer, if the policy has one.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]
@@ -39,16 +39,17 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
     context = policy.config.context
     features = policy.features(policy.tokens(frames[:, -context:]))[:, -1]
     label = batch.actions[:, -1]
-    mixture = policy.mixture(features)
-    answer = policy.denormalise(mixture.likeliest())
+    answer = policy.denormalise(policy.answers(features).likeliest())
+    answer = answer if answer.ndim == 2 else answer[:, 0]
     distance: Callable[[Tensor], Tensor] = lambda x: torch.linalg.vector_norm(x, dim=-1)  # noqa: E731
-    seen = frames[:, -1]
-    place = policy.located(seen) * policy.objects_deviation + policy.objects_mean
-    objects = batch.objects[:, -1]
     arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
-    return {
+    errors = {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),
-        "likelihood": -mixture.log_density(policy.normalise(label)),
-        "location_error_mm": 1000 * distance(place.unflatten(-1, (-1, 3)) - objects).nanmean(-1),
+        "likelihood": policy.head.loss(features, policy.normalise(batch.labels[:, -1])),
     }
+    if policy.locates:
+        place = policy.located(frames[:, -1]) * policy.objects_deviation + policy.objects_mean
+        off = place.unflatten(-1, (-1, 3)) - batch.objects[:, -1]
+        errors["location_error_mm"] = 1000 * distance(off).nanmean(-1)
+    return errors

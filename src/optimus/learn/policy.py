@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import torch
@@ -13,10 +13,10 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 
 from optimus.data.episode import OSC, TASKS_OWN, arm_parts
-from optimus.data.windows import Windows
-from optimus.learn.encoder import Encoder, EncoderConfig
-from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
-from optimus.learn.trunk import Transformer, TransformerConfig
+from optimus.data.windows import WindowConfig, Windows
+from optimus.learn.encoder import Encoder, EncoderConfig, ResNetConfig, encoder_config
+from optimus.learn.heads import Answers, Head, HeadConfig, MixtureConfig, head_config
+from optimus.learn.trunk import TransformerConfig, Trunk, TrunkConfig, trunk_config
 
 _SMALLEST_DEVIATION = 1e-3  # of proprioception [m or 1]: what hardly varies is not blown up
 
@@ -29,16 +29,25 @@ class PolicyConfig:
     """Frames that an action is a function of."""
     crop: int = 76
     """Side of the square that is seen of each image [pixels]."""
-    encoder: EncoderConfig = field(default_factory=EncoderConfig)
-    trunk: TransformerConfig = field(default_factory=TransformerConfig)
-    head: MixtureConfig = field(default_factory=MixtureConfig)
+    encoder: EncoderConfig | ResNetConfig = field(default_factory=EncoderConfig)
+    trunk: TrunkConfig = field(default_factory=TransformerConfig)
+    head: HeadConfig = field(default_factory=MixtureConfig)
+    observe: Literal["images", "state"] = "images"
+    """See with cameras, or be told where the objects are (the paper's ablation)."""
+    locates: bool = True
+    """Whether an auxiliary head says where the objects are, given images."""
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyConfig:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
         rest = {k: v for k, v in value.items() if k not in ("encoder", "trunk", "head")}
-        encoder, trunk = EncoderConfig.from_json(value["encoder"]), TransformerConfig(**value["trunk"])
-        return cls(**rest, encoder=encoder, trunk=trunk, head=MixtureConfig(**value["head"]))
+        encoder, trunk = encoder_config(value["encoder"]), trunk_config(value["trunk"])
+        return cls(**rest, encoder=encoder, trunk=trunk, head=head_config(value["head"]))
+
+    def cut(self, windows: int = 1, change_weight: float = 1.0, change_reach: int = 2) -> WindowConfig:
+        """What its windows are cut like, for training on."""
+        ahead, images = self.head.chunk - 1, self.observe == "images"
+        return WindowConfig(self.context, windows, self.crop, change_weight, change_reach, ahead, images)
 
 
 @dataclass(frozen=True)
@@ -77,7 +86,7 @@ class PolicyInputs:
 
 
 class Policy(nn.Module):
-    """Frame features (one encoder a camera, proprioception) -> tokens -> transformer -> mixture."""
+    """Frame features (one encoder a camera, proprioception) -> tokens -> trunk -> head."""
 
     low_mean: Tensor
     low_deviation: Tensor
@@ -94,12 +103,15 @@ class Policy(nn.Module):
         seen = self.looked + low
         # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
         # too, but small among them, and took the trunk many times as many steps to find there.
-        self.embed = nn.Linear(seen + 3 * inputs.objects, config.trunk.width)
-        self.trunk = Transformer(config.trunk, config.context)
-        self.head = MixtureHead(config.head, config.trunk.width, inputs.actions)
+        self.locates = config.locates and bool(inputs.cameras) and inputs.objects > 0  # imported data may know of no objects
+        self.embed = nn.Linear(seen + 3 * inputs.objects * self.locates, config.trunk.token)
+        self.trunk: Trunk = config.trunk.build(config.context)
+        self.head: Head = config.head.build(config.trunk.width, inputs.actions)
         # From the images alone: the hand is where the object is for most of an episode, and told where the hand is, this
         # would never learn to look (docs/results/first-policies.md).
-        self.locate = nn.Sequential(nn.Linear(self.looked, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects))
+        self.locate = nn.Sequential()
+        if self.locates:
+            self.locate.extend([nn.Linear(self.looked, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects)])
         for name, size in (("low", low), ("objects", 3 * inputs.objects)):
             self.register_buffer(f"{name}_mean", torch.zeros(size))
             self.register_buffer(f"{name}_deviation", torch.ones(size))
@@ -120,6 +132,7 @@ class Policy(nn.Module):
         largest = np.abs(windows.actions).max(0)
         for part in self.inputs.arm_parts:
             self.action_scale[part] = float(largest[part].max()) / 0.9 if largest[part].max() > 1e-6 else 1.0
+        self.head.fit(self.normalise(torch.from_numpy(windows.actions)).numpy())
 
     def frames(
         self,
@@ -143,13 +156,18 @@ class Policy(nn.Module):
 
     def tokens(self, frames: Tensor) -> Tensor:
         """Frame features `(..., m)` to tokens `(..., width)`."""
-        return self.embed(torch.cat([frames, self.located(frames).detach().clamp(-5, 5)], -1))
+        told = (self.located(frames).detach().clamp(-5, 5),) if self.locates else ()
+        return self.embed(torch.cat([frames, *told], -1))
+
+    def token(self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor]) -> Tensor:
+        """Images `(1, crop, crop, 3)` uint8 by camera and proprioception `(1, n)` by name of a frame to its token `(1, token)`."""
+        return self.tokens(self.frames(images, proprioception))
 
     def features(self, tokens: Tensor, noise: torch.Generator | None = None) -> Tensor:
         """Tokens `(B, C, width)` of windows to features of each position `(B, C, width)`."""
         return self.trunk(tokens, noise)
 
-    def mixture(self, features: Tensor) -> Mixture:
+    def answers(self, features: Tensor) -> Answers:
         """Features to a distribution over normalised actions."""
         return self.head(features)
 
@@ -171,6 +189,11 @@ class Policy(nn.Module):
         there = target.isfinite()
         error = F.smooth_l1_loss(self.located(frames), target.where(there, 0.0), reduction="none", beta=0.1)
         return (error * there).sum(-1) / there.sum(-1).clamp(min=1)
+
+    @property
+    def parameter_count(self) -> int:
+        """Numbers that are learned."""
+        return sum(p.numel() for p in self.parameters())
 
     def description(self) -> dict[str, Any]:
         """What `Policy.from_description` needs, JSON-able."""

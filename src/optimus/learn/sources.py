@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +55,7 @@ class Lessons:
         extra = [header for path in sources.corrections for header in _corrections(path, stores)]
         train = [*_rest(stores, curations, "train"), *extra]
         held_out = _rest(stores, curations, "validation")
-        centre = WindowConfig(cut.context, 1, cut.crop)
+        centre = replace(cut, windows=1, change_weight=1.0)
         return cls(
             joint_task(store.task for store in stores),
             Windows(first, curations[0].train, cut, train),

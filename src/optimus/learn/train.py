@@ -25,11 +25,11 @@ import torch
 
 from optimus.data.atomic import make_folder
 from optimus.data.store import installed_versions
-from optimus.data.windows import WindowConfig
 from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.batches import source_on
 from optimus.learn.board import Board, BoardName, board, require_board
+from optimus.learn.card import write_card
 from optimus.learn.gradient import GradientWorkers, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
 from optimus.learn.heldout import held_out
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
@@ -103,8 +103,7 @@ class _Trainer:
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
         begun = checkpoint.load(sources.initial) if sources.initial else None
         policy_config = begun.config if begun else policy_config
-        cut = WindowConfig(policy_config.context, config.windows, policy_config.crop, config.change_weight, config.change_reach)
-        lessons = Lessons.of(sources, cut)
+        lessons = Lessons.of(sources, policy_config.cut(config.windows, config.change_weight, config.change_reach))
         self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
         inputs = PolicyInputs.of(lessons.task, self.windows)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
@@ -193,6 +192,7 @@ class _Trainer:
         best = self.best
         if best is not None and best["step"] == self.state.step != checkpoint.best_step(self.run):
             checkpoint.save_best(self.run, self.state.average, self.state.step, best[_ERROR])
+        write_card(self.run)
 
     def _consumed(self) -> float:
         """Training time so far [s], that of earlier sessions included."""
@@ -230,7 +230,7 @@ class _Trainer:
             left = 60 * config.minutes - (time.perf_counter() - self.session_start)
             plan = StepPlan(max(1, round(left / seconds)))
         versions = {**installed_versions(), "torch": torch.__version__}
-        settled = {"runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
+        settled = {"parameters": policy.parameter_count, "runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})
         return settled
 

@@ -16,6 +16,8 @@ QUERIES = 6000
 """Collision checks after which a search is given up: a count, not a time, so that a slow machine finds the same path."""
 JOINT_STEP = 0.05
 """Largest joint change between checked configurations [rad]."""
+SHORTCUTS = 60
+"""Times that a stretch of the path found is tried to be replaced."""
 
 util.setLogLevel(util.LOG_NONE)
 
@@ -33,16 +35,23 @@ def is_free(checker: CollisionChecker, path: Array) -> bool:
 
 
 def connect(
-    kinematics: Kinematics, checker: CollisionChecker, start: Array, end: Array, rng: np.random.Generator, queries: int = QUERIES
+    kinematics: Kinematics,
+    checker: CollisionChecker,
+    start: Array,
+    end: Array,
+    rng: np.random.Generator,
+    queries: int = QUERIES,
+    straight: bool = True,
 ) -> Array | None:
-    """A free joint path `(T, dof)` from `start` to `end`, or None. Random only through `rng`."""
+    """A free joint path `(T, dof)` from `start` to `end`, or None. Random only through `rng`. Without `straight`, neither is the
+    straight line tried before nor are shortcuts after."""
     line = joint_line(start, end)
-    if is_free(checker, line):
+    if straight and is_free(checker, line):
         return line
     if checker.check(end) is not None or checker.check(start) is not None:
         return None
     found = _rrt_connect(kinematics, checker, start, end, rng, queries)
-    return None if found is None else _shortcut(checker, found, rng)
+    return None if found is None else _shortcut(checker, found, rng, SHORTCUTS if straight else 0)
 
 
 def _rrt_connect(
@@ -86,7 +95,7 @@ def _read(state: Any, dof: int) -> Array:
     return np.array([state[i] for i in range(dof)])
 
 
-def _shortcut(checker: CollisionChecker, corners: Array, rng: np.random.Generator, rounds: int = 60) -> Array:
+def _shortcut(checker: CollisionChecker, corners: Array, rng: np.random.Generator, rounds: int) -> Array:
     """Replace stretches by free straight lines, then space the path evenly."""
     points = list(corners)
     for _ in range(rounds):

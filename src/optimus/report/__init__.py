@@ -1,5 +1,6 @@
 """A run as one self-contained HTML page: no script, no link, readable from a mail attachment."""
 
+from optimus.report.comparison import render_comparison, write_comparison
 from optimus.report.data import (
     DatasetStats,
     EvaluationStats,
@@ -7,6 +8,7 @@ from optimus.report.data import (
     Film,
     Interval,
     ReportData,
+    Starts,
 )
 from optimus.report.page import render, write_report
 
@@ -17,6 +19,9 @@ __all__ = [
     "Film",
     "Interval",
     "ReportData",
+    "Starts",
     "render",
+    "render_comparison",
+    "write_comparison",
     "write_report",
 ]

@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 from optimus.report.data import Interval
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 # what is drawn with, and the colour of the page that replaces it
 INK, FRAME, FIRST, SECOND = "#010203", "#010204", "#010205", "#010206"
+OTHERS = ("#2e8b57", "#8c5aaa", "#c2453a", "#8a8a2b")
+"""Of further curves; they are seen on light and dark."""
 PAINT = {INK: "currentColor", FRAME: "var(--line)", FIRST: "var(--first)", SECOND: "var(--second)"}
 
 
@@ -40,18 +43,19 @@ PANELS = (
 
 def curves(panel: Panel, metrics: Sequence[Mapping[str, float]]) -> str:
     """An SVG of the panel, or nothing where the log has none of its keys."""
+    series = {label: [(line["step"], line[key]) for line in metrics if key in line] for label, key in panel.curves.items()}
+    return lines(panel, series) if any(series.values()) else ""
+
+
+def lines(panel: Panel, series: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+    """An SVG of labelled points `(step, value)`, each series in its colour."""
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    series = {
-        label: [(line["step"], line[key]) for line in metrics if key in line] for label, key in panel.curves.items()
-    }
-    if not any(series.values()):
-        return ""
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": panel.title, "font.family": "sans-serif"}):
         figure = Figure(figsize=(5.4, 2.8), layout="constrained")
         axes = figure.add_subplot()
-        for color, (label, points) in zip((FIRST, SECOND), series.items(), strict=False):
+        for color, (label, points) in zip(cycle((FIRST, SECOND, *OTHERS)), series.items(), strict=False):
             if points:
                 x, y = zip(*points, strict=True)
                 marker = "o" if len(points) < 25 else ""
@@ -94,15 +98,36 @@ def histogram(values: Sequence[int], bins: int = 24) -> str:
     counts = [0] * ((high - low) // width + 1)
     for value in values:
         counts[(value - low) // width] += 1
-    bars = ""
-    for i, count in enumerate(counts):
-        height = 100 * count / max(counts)
-        said = f"{low + i * width} to {low + (i + 1) * width - 1}: {count}"
+    said = [f"{low + i * width} to {low + (i + 1) * width - 1}: {count}" for i, count in enumerate(counts)]
+    return bars(counts, said, str(low), str(high))
+
+
+def bars(counts: Sequence[int], said: Sequence[str], low: str, high: str) -> str:
+    """An SVG of upright bars side by side, what each says, and the ends of the scale below."""
+    drawn = ""
+    for i, (count, text) in enumerate(zip(counts, said, strict=True)):
+        height = 100 * count / max(1, *counts)
         place = f'x="{i + 0.06:.2f}" y="{100 - height:.2f}" width="0.88" height="{height:.2f}"'
-        bars += f"<rect {place}><title>{said}</title></rect>"
+        drawn += f"<rect {place}><title>{escape(text)}</title></rect>"
     box = f'viewBox="0 0 {len(counts)} 100" preserveAspectRatio="none"'
-    picture = f'<svg class="bars" role="img" {box}>{bars}</svg>'
-    return f'{picture}<div class="scale"><span>{low}</span><span>{high}</span></div>'
+    picture = f'<svg class="bars" role="img" {box}>{drawn}</svg>'
+    return f'{picture}<div class="scale"><span>{escape(low)}</span><span>{escape(high)}</span></div>'
+
+
+def from_above(points: Mapping[str, Sequence[Sequence[float]]]) -> str:
+    """An SVG of places (x, y) [m] as the robot sees them, which stands below the picture: +x is up, +y is left."""
+    xs = [p[0] for some in points.values() for p in some]
+    ys = [p[1] for some in points.values() for p in some]
+    size = max(max(xs) - min(xs), max(ys) - min(ys), 0.05) * 1.1
+    left, top = -(max(ys) + min(ys)) / 2 - size / 2, -(max(xs) + min(xs)) / 2 - size / 2
+    dots, legend = "", ""
+    for i, (name, some) in enumerate(points.items()):
+        paint = f"hsl({(210 + 137 * i) % 360} 60% 52%)"
+        legend += f'<span><i style="background:{paint}"></i>{escape(name)}</span>'
+        circles = (f'<circle cx="{-y:.4f}" cy="{-x:.4f}" r="{size / 110:.5f}"/>' for x, y in (p[:2] for p in some))
+        dots += f'<g fill="{paint}" fill-opacity="0.75">{"".join(circles)}</g>'
+    box = f'viewBox="{left:.4f} {top:.4f} {size:.4f} {size:.4f}"'
+    return f'<svg class="places" role="img" {box}>{dots}</svg><div class="legend">{legend}</div>'
 
 
 def rate_bar(label: str, successes: int, episodes: int, interval: Interval | None, kind: str) -> str:

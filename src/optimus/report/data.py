@@ -30,6 +30,8 @@ class DatasetStats:
     lengths: Sequence[int] = ()  # steps of each demonstration
     per_skeleton: Mapping[str, int] = field(default_factory=dict)
     dropped: Mapping[str, int] = field(default_factory=dict)  # by reason
+    training: int | None = None  # demonstrations learned from
+    held_out: int | None = None  # for validation
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,18 @@ class Film:
     strip: Path | bytes | None = None  # PNG
     video: Path | None = None  # MP4
     success: bool | None = None
+    cause: str = ""  # of a failure, as `EvaluationStats.failures` counts them
+
+
+@dataclass(frozen=True)
+class Starts:
+    """Where an object stood at first, seen from above: `(x, y)` [m], x away from the arm's base, y to its left."""
+
+    thing: str
+    learned: Sequence[tuple[float, float]]
+    held_out: Sequence[tuple[float, float]] = ()
+    failed: Sequence[tuple[float, float]] = ()
+    """From where the policy failed."""
 
 
 @dataclass(frozen=True)
@@ -71,3 +85,6 @@ class ReportData:
     evaluations: Sequence[EvaluationStats] = ()
     seconds: Mapping[str, float] = field(default_factory=dict)  # by stage, in order
     films: Sequence[Film] = ()
+    starts: Sequence[Starts] = ()
+    commands: Sequence[str] = ()
+    """What to type for each stage, and for looking into what came of it."""

@@ -1,16 +1,13 @@
 """The page itself: each section from its own part of the data."""
 
-import base64
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
-from importlib import resources
 from pathlib import Path
-from typing import Any
 
 from optimus.data.atomic import write_whole
-from optimus.errors import StorageError
-from optimus.report import charts
-from optimus.report.data import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData
+from optimus.report import charts, pieces
+from optimus.report.coverage import coverage
+from optimus.report.data import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 
 WHAT = (
     "A planner that knows the task solved it again and again in simulation; a neural network then learned to"
@@ -26,38 +23,25 @@ def write_report(data: ReportData, path: Path) -> None:
 
 def render(data: ReportData) -> str:
     """The page as text."""
-    style = (resources.files("optimus.report") / "style.css").read_text(encoding="utf-8")
     parts = [
         _header(data),
         _result(data.expert, data.evaluations),
         _films(data.films),
+        _failures(data.films, data.evaluations),
         _training(data.metrics),
         _dataset(data.dataset),
+        _starts(data.starts),
         _expert(data.expert),
         _time(data.seconds),
         _episodes(data.evaluations),
         _settings(data),
     ]
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(data.title)}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n"
-        + "\n".join(part for part in parts if part)
-        + "\n</main>\n</body>\n</html>\n"
-    )
+    return pieces.document(data.title, parts)
 
 
 def _header(data: ReportData) -> str:
     description = f"<p>{escape(data.description)}</p>" if data.description else ""
-    return (
-        f"<header><h1>{escape(data.title)}</h1>{description}<p>{WHAT}</p>"
-        f"<pre><code>{escape(data.command)}</code></pre></header>"
-    )
-
-
-def _section(name: str, title: str, body: str, lead: str = "") -> str:
-    lead = f"<p>{escape(lead)}</p>" if lead else ""
-    return f'<section id="{name}"><h2>{escape(title)}</h2>{lead}{body}</section>'
+    return f"<header><h1>{escape(data.title)}</h1>{description}<p>{WHAT}</p><pre><code>{escape(data.command)}</code></pre></header>"
 
 
 def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) -> str:
@@ -69,45 +53,44 @@ def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) 
         bars.append(charts.rate_bar(label, e.successes, e.episodes, e.interval, "policy"))
     if not bars:
         return ""
-    tables = [
-        _counts(f"Failures of the policy, {e.states} states", e.failures, "cause") for e in evaluations if e.failures
-    ]
+    tables = []
     if expert and expert.failures:
-        tables.append(_counts("Failures of the expert", expert.failures, "reason"))
+        tables.append(pieces.counts("Failures of the expert", expert.failures, "reason"))
     grid = f'<div class="grid" style="margin-top:1rem">{"".join(tables)}</div>' if tables else ""
-    return _section("result", "Result", f'<div class="card">{"".join(bars)}</div>{grid}')
+    return pieces.section("result", "Result", f'<div class="card">{"".join(bars)}</div>{grid}')
 
 
 def _films(films: Sequence[Film]) -> str:
-    videos = "".join(_figure(film, _video(film.video)) for film in films if film.video)
-    strips = "".join(_figure(film, _picture(film.strip, film.caption)) for film in films if film.strip)
-    body = (f'<div class="grid">{videos}</div>' if videos else "") + (
-        f'<div class="card" style="margin-top:1rem">{strips}</div>' if strips else ""
-    )
     lead = "Episodes of the evaluation. Time runs from left to right in the strips."
-    return _section("films", "What it looks like", body, lead) if body else ""
+    shown = [film for film in films if film.success is not False]
+    return pieces.section("films", "What it looks like", _moving(shown), lead) if shown else ""
 
 
-def _figure(film: Film, inside: str) -> str:
-    kind = "" if film.success is None else ' class="success"' if film.success else ' class="failure"'
-    return f"<figure>{inside}<figcaption{kind}>{escape(film.caption)}</figcaption></figure>"
+def _moving(films: Sequence[Film], strips_at_most: int = 3) -> str:
+    """Videos beside one another, strips below one another."""
+    with_strip = [(film, film.strip) for film in films if film.strip][:strips_at_most]
+    videos = "".join(pieces.figure(film, pieces.video(film.video)) for film in films if film.video)
+    strips = "".join(pieces.figure(film, pieces.picture(strip, film.caption)) for film, strip in with_strip)
+    return (f'<div class="grid films">{videos}</div>' if videos else "") + (
+        f'<div class="card strips">{strips}</div>' if strips else ""
+    )
 
 
-def _video(path: Path) -> str:
-    source = _uri(path, "video/mp4")
-    return f'<video controls muted loop playsinline preload="metadata" src="{source}"></video>'
-
-
-def _picture(source: Path | bytes, caption: str) -> str:
-    return f'<img alt="{escape(caption, quote=True)}" src="{_uri(source, "image/png")}">'
-
-
-def _uri(source: Path | bytes, kind: str) -> str:
-    try:
-        content = source if isinstance(source, bytes) else source.read_bytes()
-    except OSError as error:
-        raise StorageError(f"cannot read {source}: {error.strerror or error}") from error
-    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
+def _failures(films: Sequence[Film], evaluations: Sequence[EvaluationStats]) -> str:
+    """What went wrong, the most frequent first, each with films of it where there are some."""
+    counts: dict[str, int] = {}
+    for e in evaluations:
+        for cause, count in e.failures.items():
+            counts[cause] = counts.get(cause, 0) + count
+    episodes = sum(e.episodes for e in evaluations)
+    body = ""
+    for cause, count in sorted(counts.items(), key=lambda item: -item[1]):
+        of_it = [film for film in films if film.success is False and film.cause == cause]
+        body += f'<h3 class="cause failure">{escape(cause)}: {count} of {episodes} episodes</h3>{_moving(of_it, strips_at_most=1)}'
+    rest = [film for film in films if film.success is False and film.cause not in counts]
+    if not body and not rest:
+        return ""
+    return pieces.section("failures", "What went wrong", body + _moving(rest), "Failures of the policy by their cause.")
 
 
 def _training(metrics: Sequence[Mapping[str, float]]) -> str:
@@ -116,7 +99,7 @@ def _training(metrics: Sequence[Mapping[str, float]]) -> str:
         if picture := charts.curves(panel, metrics):
             cards += f'<div class="card"><h3>{escape(panel.title)}</h3>{picture}</div>'
     lead = "Held-out demonstrations took no part in training."
-    return _section("training", "Training", f'<div class="grid broad">{cards}</div>', lead) if cards else ""
+    return pieces.section("training", "Training", f'<div class="grid broad">{cards}</div>', lead) if cards else ""
 
 
 def _dataset(stats: DatasetStats | None) -> str:
@@ -130,11 +113,26 @@ def _dataset(stats: DatasetStats | None) -> str:
     if stats.lengths:
         cards.append(f'<div class="card"><h3>Lengths [steps]</h3>{charts.histogram(stats.lengths)}</div>')
     if stats.per_skeleton:
-        cards.append(_counts("Plans", stats.per_skeleton, "sequence of skills"))
-    if stats.dropped:
-        cards.append(_counts("Dropped", stats.dropped, "reason"))
-    body = _numbers(numbers) + f'<div class="grid">{"".join(cards)}</div>'
-    return _section("dataset", "Demonstrations", body, "What the policy learned from: episodes of the expert.")
+        cards.append(pieces.counts("Plans", stats.per_skeleton, "sequence of skills"))
+    cards.append(_curation(stats))
+    body = pieces.numbers(numbers) + f'<div class="grid">{"".join(cards)}</div>'
+    return pieces.section("dataset", "Demonstrations", body, "What the policy learned from: episodes of the expert.")
+
+
+def _curation(stats: DatasetStats) -> str:
+    """What became of each demonstration: learned from, held out, or left out and why."""
+    kept = {"learned from": stats.training, "held out for validation": stats.held_out}
+    rows = [[what, count] for what, count in kept.items() if count is not None]
+    rows += [[f"left out: {why}", count] for why, count in sorted(stats.dropped.items(), key=lambda item: -item[1])]
+    if not rows:
+        return ""
+    return f'<div class="card"><h3>Curation</h3>{pieces.table(["demonstrations", "number"], rows, number=1)}</div>'
+
+
+def _starts(starts: Sequence[Starts]) -> str:
+    cards = "".join(f'<div class="card"><h3>{escape(s.thing)}</h3>{picture}</div>' for s in starts if (picture := coverage(s)))
+    lead = "Where things stood at first, from above. Dots: learned from; rings: held out; crosses: where the policy failed."
+    return pieces.section("starts", "Coverage of starts", f'<div class="grid">{cards}</div>', lead) if cards else ""
 
 
 def _expert(stats: ExpertStats | None) -> str:
@@ -145,7 +143,7 @@ def _expert(stats: ExpertStats | None) -> str:
         numbers["By the paper's rule"] = f"{stats.paper_rule_successes:,}"
     for key, value in stats.plan_seconds.items():
         numbers[f"Planning, {key}"] = f"{1000 * value:.0f} ms" if value < 1 else f"{value:.2f} s"
-    return _section("expert", "Expert", _numbers(numbers), "Planning is CPU time an episode.")
+    return pieces.section("expert", "Expert", pieces.numbers(numbers), "Planning is CPU time an episode.")
 
 
 def _time(seconds: Mapping[str, float]) -> str:
@@ -154,8 +152,8 @@ def _time(seconds: Mapping[str, float]) -> str:
         return ""
     parts = "".join(f'<i style="flex:{s / total:.4f}" title="{escape(n, quote=True)}"></i>' for n, s in seconds.items())
     rows = {**{name: duration(s) for name, s in seconds.items()}, "together": duration(total)}
-    table = _table(["stage", "time"], [[name, value] for name, value in rows.items()], number=1)
-    return _section("time", "Time", f'<div class="card"><div class="stack">{parts}</div>{table}</div>')
+    rows_shown = pieces.table(["stage", "time"], [[name, value] for name, value in rows.items()], number=1)
+    return pieces.section("time", "Time", f'<div class="card"><div class="stack">{parts}</div>{rows_shown}</div>')
 
 
 def duration(seconds: float) -> str:
@@ -171,49 +169,17 @@ def _episodes(evaluations: Sequence[EvaluationStats]) -> str:
     for e in evaluations:
         if e.rows:
             columns = list(e.rows[0])
-            table = _table(columns, [[row.get(column, "") for column in columns] for row in e.rows])
+            rows_shown = pieces.table(columns, [[row.get(column, "") for column in columns] for row in e.rows])
             summary = f"<summary>{e.episodes} episodes, {escape(e.states)} states</summary>"
-            body += f"<details>{summary}{table}</details>"
-    return _section("episodes", "Every episode", body) if body else ""
+            body += f"<details>{summary}{rows_shown}</details>"
+    return pieces.section("episodes", "Every episode", body) if body else ""
 
 
 def _settings(data: ReportData) -> str:
     cards = ""
     for title, values in (("Configuration", data.config), ("Versions", data.versions)):
         if values:
-            cards += f'<div class="card"><h3>{title}</h3>{_table([], list(_flat(values)))}</div>'
-    grid = f'<div class="grid">{cards}</div>'
-    return _section("settings", "To repeat it", grid, f"Task: {data.task}") if cards else ""
-
-
-def _flat(values: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """Nested settings one a line, with dotted names."""
-    for key, value in values.items():
-        if isinstance(value, Mapping) and value:
-            yield from _flat(value, f"{prefix}{key}.")
-        else:
-            yield f"{prefix}{key}", value
-
-
-def _numbers(values: Mapping[str, str]) -> str:
-    cells = "".join(f"<div><dt>{escape(k)}</dt><dd>{escape(v)}</dd></div>" for k, v in values.items())
-    return f'<dl class="numbers">{cells}</dl>'
-
-
-def _counts(title: str, counts: Mapping[str, int], what: str) -> str:
-    ordered = sorted(counts.items(), key=lambda item: -item[1])
-    table = _table([what, "episodes"], [[name, count] for name, count in ordered], number=1)
-    return f'<div class="card"><h3>{escape(title)}</h3>{table}</div>'
-
-
-def _table(columns: Sequence[str], rows: Sequence[Sequence[Any]], number: int | None = None) -> str:
-    """A table; the column of that index holds numbers."""
-
-    def line(cells: Sequence[Any], tag: str) -> str:
-        kinds = [' class="number"' if i == number else "" for i in range(len(cells))]
-        pairs = zip(kinds, cells, strict=True)
-        return f"<tr>{''.join(f'<{tag}{kind}>{escape(str(cell))}</{tag}>' for kind, cell in pairs)}</tr>"
-
-    head = f"<thead>{line(columns, 'th')}</thead>" if columns else ""
-    body = "".join(line(row, "td") for row in rows)
-    return f'<div class="wide"><table>{head}<tbody>{body}</tbody></table></div>'
+            cards += f'<div class="card"><h3>{title}</h3>{pieces.table([], list(pieces.flat(values)))}</div>'
+    lines = "".join(f"<pre><code>{escape(line)}</code></pre>" for line in data.commands)
+    grid = f'{lines}<div class="grid">{cards}</div>'
+    return pieces.section("settings", "To repeat it", grid, f"Task: {data.task}") if cards or lines else ""

@@ -13,11 +13,11 @@ import numpy as np
 from optimus.collision import Blocked, CollisionChecker
 from optimus.kinematics import DIFFERENT, Kinematics
 from optimus.logic import Facts, Operator
-from optimus.motion import lines, sampling
+from optimus.motion import lines
 from optimus.motion.plan import Segment
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between
-from optimus.skills import roof
+from optimus.skills import about, roof
 from optimus.skills.style import Style
 from optimus.state import State
 from optimus.world import World
@@ -117,10 +117,11 @@ class Workspace:
         that many of the last lines when they are blocked. None, and an entry in `failures`, when there is no way."""
         self.require_time()
         self.checker.look_at(state)
-        found = lines.track(self.kinematics, self.checker, state.q, corners)
-        if isinstance(found, Blocked) and straight is not None and len(corners) > straight:
-            detour = self._detour(state, corners, straight, rng)
-            found = detour if detour is not None else found
+        free = straight is not None and len(corners) > straight
+        found = about.sampled(self, state, corners, straight or 0, rng) if free and self.style.motion == "sampled" else None
+        found = found or lines.track(self.kinematics, self.checker, state.q, corners)
+        if isinstance(found, Blocked) and free:
+            found = about.detour(self, state, corners, straight or 0, rng) or found
         if isinstance(found, Blocked):
             self.failures.append((name, found))
             return None
@@ -132,45 +133,23 @@ class Workspace:
         self.require_time()
         self.checker.look_at(state)
         line = lines.track(self.kinematics, self.checker, q, [before])
-        found = line if isinstance(line, Blocked) else self._by_joints(state.q, line[0][-1], [self.kinematics.fk(q)], rng)
+        found = line if isinstance(line, Blocked) else about.by_joints(self, state.q, line[0][-1], [self.kinematics.fk(q)], rng)
         if isinstance(found, Blocked):
             self.failures.append((name, found))
             return None
         return self.motion(name, found[0], found[1], False)
 
-    def _detour(
-        self, state: State, corners: list[Pose], straight: int, rng: np.random.Generator
-    ) -> tuple[Array, tuple[Pose, ...]] | None:
-        """By way of home; else by joint motion to the corner where the last `straight` lines begin, then along these."""
-        ends = self.settled(state, corners[-1])
-        starts = [q for q in (self._backwards(state, end, corners[-straight - 1 :]) for end in ends) if q is not None]
-        if not starts:
-            return None
-        for height in (self.home.pos[2], self.style.high):
-            over = Pose(np.array([*self.home.pos[:2], height]), self.home.quat)
-            known = lines.track(self.kinematics, self.checker, state.q, [over, *corners])
-            if not isinstance(known, Blocked):
-                return known
-        for start in starts[: self.style.detours]:
-            found = self._by_joints(state.q, start, corners[-straight:], rng)
-            if not isinstance(found, Blocked):
-                return found
-        return None
-
-    def _backwards(self, state: State, q: Array, corners: list[Pose]) -> Array | None:
-        """The configuration at the first of `corners` from which the lines through the others lead to `q`, if they are free: looked
-        for from the end, where there is least room."""
-        self.checker.look_at(state)
-        back = lines.track(self.kinematics, self.checker, q, corners[-2::-1])
-        return None if isinstance(back, Blocked) else back[0][-1]
-
-    def settled(self, state: State, goal: Pose) -> Iterator[Array]:
+    def settled(self, state: State, goal: Pose, rng: np.random.Generator | None = None) -> Iterator[Array]:
         """Free configurations at `goal` in which the arm would stay, with whatever it holds in `state`. If there is none, why is
         added to `failures`."""
         self.require_time()
         seen: list[Array] = []
         blocked: Blocked | None = lines.UNREACHABLE
-        for solution in islice(self.kinematics.solutions(goal, state.q), self.style.postures):
+        solutions = self.kinematics.solutions(goal, state.q)
+        if rng is not None and self.style.ik == "random":
+            known = list(solutions)
+            solutions = (known[i] for i in rng.permutation(len(known)))
+        for solution in islice(solutions, self.style.postures):
             q = self.kinematics.settled(solution, goal)
             if q is None or any(np.abs(q - other).max() < DIFFERENT for other in seen):
                 continue
@@ -185,16 +164,6 @@ class Workspace:
         if blocked is not None:
             self.failures.append(("fit", blocked))
 
-    def _by_joints(
-        self, q: Array, goal: Array, corners: list[Pose], rng: np.random.Generator
-    ) -> tuple[Array, tuple[Pose, ...]] | Blocked:
-        """Like a free joint motion from `q` to `goal` and lines from there, but with the joints that the arm will have when its tcp
-        is led along: what no pose tells, the null space, goes to home all the time."""
-        path = sampling.connect(self.kinematics, self.checker, q, goal, rng)
-        if path is None:
-            return self.checker.check(goal) or lines.UNREACHABLE
-        return lines.track(self.kinematics, self.checker, q, [*(self.kinematics.fk(p) for p in path[1:]), *corners])
-
     def ways(self, state: State, goal: Pose) -> Iterator[Way]:
         """From `state` to `goal`: over everything and straight down under the open sky; from the front under a roof, and there
         only ways that are free as far as the open sky."""
@@ -204,7 +173,7 @@ class Workspace:
         ways = [self._into(state, goal, out) for out in roof.ways_out(self.scene, goal)]
         for q in self.settled(state, goal):
             for way in list(ways):
-                if self._backwards(state, q, way.corners[-way.straight - 1 :]) is not None:
+                if about.backwards(self, state, q, way.corners[-way.straight - 1 :]) is not None:
                     ways.remove(way)
                     yield way
 
@@ -227,7 +196,7 @@ class Workspace:
         blocked: list[Way] = []
         for number, goal in enumerate(goals, 1):
             for way in self.ways(state, goal):
-                motion = self.travel(name, state, way.corners, shut, rng)
+                motion = self.travel(name, state, way.corners, shut, rng, way.straight if self.style.motion == "sampled" else None)
                 if motion is None:
                     blocked.append(way)
                 else:
@@ -267,8 +236,8 @@ class Workspace:
         return next(self.settled(state, goal), None) is not None
 
     def order(self, items: list[T], rng: np.random.Generator) -> list[T]:
-        """As they are, or shuffled if the style says so."""
-        return [items[i] for i in rng.permutation(len(items))] if self.style.shuffle else items
+        """As they are, or in random order if the style says so."""
+        return [items[i] for i in rng.permutation(len(items))] if self.style.grasps == "random" else items
 
     def turn_from_home(self, pose: Pose) -> float:
         """How far `pose` is turned away from the hand's home orientation [rad]."""

@@ -3,6 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
+
+from optimus.errors import UnknownNameError
+
+ORDERS = ("fixed", "random")
+MOTIONS = ("straight", "sampled")
 
 
 @dataclass(frozen=True)
@@ -29,5 +35,16 @@ class Style:
     """... and so many of them tried, where the straight way is blocked."""
     at_once: int = 6
     """Of so many grasps or releases the straight ways are tried before the ways about."""
-    shuffle: bool = False
-    """Take grasps and placements in random order (the paper's randomised planner) instead of a fixed one."""
+    grasps: Literal["fixed", "random"] = "fixed"
+    """Take grasps and placements in a fixed order, or at random (the paper's randomised planner)."""
+    ik: Literal["fixed", "random"] = "fixed"
+    """Take the arm's ways to reach a pose by their distance, or at random. Straight ways go on from where the arm is: this tells
+    only where one of them is replaced, or all are (`motion`)."""
+    motion: Literal["straight", "sampled"] = "straight"
+    """Try straight ways first, or go where the sampling planner's own path goes, without shortcuts; the last stretch is straight in
+    any case."""
+
+    def __post_init__(self) -> None:
+        for name, valid in (("grasps", ORDERS), ("ik", ORDERS), ("motion", MOTIONS)):
+            if getattr(self, name) not in valid:
+                raise UnknownNameError(name, getattr(self, name), valid)

@@ -23,8 +23,8 @@ OBJECTS: dict[str, Shape] = {
 }
 
 TABLE = Fixture("table", slab(0.4, 0.5, 0.05, (0.78, 0.72, 0.64, 1.0)), (0.56, 0.0, -0.025))
-LEFT = Fixture("left", slab(HALF, HALF, HEIGHT, (0.35, 0.38, 0.42, 1.0)), (CENTRE_X, APART / 2, HEIGHT / 2))
-RIGHT = Fixture("right", slab(HALF, HALF, HEIGHT, (0.25, 0.55, 0.45, 1.0)), (CENTRE_X, -APART / 2, HEIGHT / 2))
+LEFT = Fixture("left", slab(HALF, HALF, HEIGHT, (0.35, 0.38, 0.42, 1.0)), (CENTRE_X, APART / 2, HEIGHT / 2), words="platform")
+RIGHT = Fixture("right", slab(HALF, HALF, HEIGHT, (0.25, 0.55, 0.45, 1.0)), (CENTRE_X, -APART / 2, HEIGHT / 2), words="platform")
 
 CAMERA = Camera("agentview", (1.02, 0.0, 0.80), (0.50, 0.0, 0.04), 48.0)
 

@@ -14,6 +14,7 @@ from optimus.robots import PANDA
 from optimus.scene import Camera, Fixture, Movable, Scene
 from optimus.se3 import Pose
 from optimus.task import Objects, Problem, Task, footprint
+from optimus.words import colour_name
 
 PLATFORM, BIN = 0.15, 0.20
 """Edges [m]."""
@@ -43,9 +44,10 @@ def scene_of(shapes: dict[str, Shape]) -> Scene:
     for (name, shape), spot in zip(shapes.items(), SPOTS, strict=False):
         tint = shape.rgba
         platform = slab(PLATFORM / 2, PLATFORM / 2, HEIGHT, (0.35, 0.38, 0.42, 1.0))
-        fixtures.append(Fixture(f"{name}_platform", platform, (*spot, HEIGHT / 2)))
+        fixtures.append(Fixture(f"{name}_platform", platform, (*spot, HEIGHT / 2), words="platform"))
         pale = (0.5 + tint[0] / 2, 0.5 + tint[1] / 2, 0.5 + tint[2] / 2, 1.0)
-        fixtures.append(Fixture(f"{name}_bin", bin_of(BIN, BIN_HEIGHT, pale), (*_bin_centre(spot), BIN_HEIGHT / 2)))
+        where, called = (*_bin_centre(spot), BIN_HEIGHT / 2), f"{colour_name(pale)} bin"
+        fixtures.append(Fixture(f"{name}_bin", bin_of(BIN, BIN_HEIGHT, pale), where, words=called))
     movables = tuple(Movable(name, shape) for name, shape in shapes.items())
     return Scene(robot=PANDA, fixtures=tuple(fixtures), movables=movables, cameras=(CAMERA,))
 

@@ -46,7 +46,8 @@ def scene_of(shape: Shape, width: float, depth: float, height: float) -> Scene:
     """A shelf of that size [m] before the arm, and one object."""
     x = FRONT + depth / 2
     rungs = [
-        Fixture(name, board(depth, width, WOOD), (x, 0.0, FOOT + share * height - BOARD / 2)) for name, share in RUNGS.items()
+        Fixture(name, board(depth, width, WOOD), (x, 0.0, FOOT + share * height - BOARD / 2), words=f"{name} rung")
+        for name, share in RUNGS.items()
     ]
     sides = Fixture("sides", uprights(depth, width, height, FRAME), (x, 0.0, FOOT + height / 2))
     return Scene(

@@ -16,8 +16,8 @@ HEIGHT = 0.02
 CENTRE_X, ASIDE = 0.50, 0.18
 
 TABLE = Fixture("table", slab(0.4, 0.45, 0.05, (0.78, 0.72, 0.64, 1.0)), (0.56, 0.0, -0.025))
-OTHER = Fixture("other", slab(HALF, HALF, HEIGHT, (0.35, 0.38, 0.42, 1.0)), (CENTRE_X, ASIDE, HEIGHT / 2))
-TARGET = Fixture("target", slab(HALF, HALF, HEIGHT, (0.25, 0.55, 0.70, 1.0)), (CENTRE_X, -ASIDE, HEIGHT / 2))
+OTHER = Fixture("other", slab(HALF, HALF, HEIGHT, (0.35, 0.38, 0.42, 1.0)), (CENTRE_X, ASIDE, HEIGHT / 2), words="platform")
+TARGET = Fixture("target", slab(HALF, HALF, HEIGHT, (0.25, 0.55, 0.70, 1.0)), (CENTRE_X, -ASIDE, HEIGHT / 2), words="platform")
 SCENE = Scene(
     robot=PANDA,
     fixtures=(TABLE, OTHER, TARGET),

@@ -1,44 +1,39 @@
-"""Images to features: one small convolutional network a camera, ending in the positions of keypoints."""
+"""Images to features: a convolutional network a camera, ending in the positions of keypoints."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any
+from typing import Protocol
 
 import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-_PART = 48
-"""Images taken through the convolutions at once: what they make stays in a core's cache (a fifth faster)."""
 
+class AnyEncoderConfig(Protocol):
+    """What an encoder is made of."""
 
-@dataclass(frozen=True)
-class EncoderConfig:
-    """Convolutions, each followed by a ReLU; by default 76 pixels become a map of 19 x 19, then 10 x 10.
+    @property
+    def keypoints(self) -> int: ...
+    @property
+    def sharpness(self) -> float: ...
+    @property
+    def features(self) -> int:
+        """Size of the result for each camera."""
+        ...
 
-    The defaults are what a probe of localisation (a square among clutter, accurate to 0.3 pixels after 200
-    steps) and a clock chose. A group norm after each convolution doubled the time of a step on a CPU and
-    changed nothing in the probe; two layers of stride 2 in place of the first one took half as long again for
-    the same accuracy.
-    """
+    @property
+    def at_once(self) -> int:
+        """Images taken through the convolutions at once."""
+        ...
 
-    channels: tuple[int, ...] = (32, 64, 64)
-    kernels: tuple[int, ...] = (8, 3, 3)
-    strides: tuple[int, ...] = (4, 2, 1)
-    keypoints: int = 32
-    sharpness: float = 3.0
-    """Factor on the maps before their softmax: at 1 all keypoints start, and for long stay, near the centre."""
-    features: int = 64
-    """Size of the result for each camera."""
+    @property
+    def prepacked(self) -> bool:
+        """Whether an agent had better keep the weights in the convolutions' own layout (see `encoder.prepack`)."""
+        ...
 
-    @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> EncoderConfig:
-        """The inverse of `dataclasses.asdict`, from parsed JSON."""
-        lists = {name: tuple(value[name]) for name in ("channels", "kernels", "strides")}
-        return cls(**{**value, **lists})
+    def maps(self) -> nn.Module:
+        """A new network from images `(N, 3, h, w)` to maps `(N, keypoints, h', w')`."""
+        ...
 
 
 class SpatialSoftmax(nn.Module):
@@ -60,20 +55,17 @@ class SpatialSoftmax(nn.Module):
 class Encoder(nn.Module):
     """One camera's images to features."""
 
-    def __init__(self, config: EncoderConfig) -> None:
+    def __init__(self, config: AnyEncoderConfig) -> None:
         super().__init__()
-        layers: list[nn.Module] = []
-        channels = pairwise((3, *config.channels))
-        for (c_in, c_out), kernel, stride in zip(channels, config.kernels, config.strides, strict=True):
-            layers += [nn.Conv2d(c_in, c_out, kernel, stride, (kernel - 1) // 2), nn.ReLU(inplace=True)]
-        self.trunk = nn.Sequential(*layers, nn.Conv2d(config.channels[-1], config.keypoints, 1))
+        self.at_once = config.at_once
+        self.trunk = config.maps()
         self.keypoints = SpatialSoftmax(config.sharpness)
         self.project = nn.Linear(2 * config.keypoints, config.features)
         for module in self.modules():
             if isinstance(module, nn.Conv2d):
                 nn.init.kaiming_normal_(module.weight, nonlinearity="relu")
-                assert module.bias is not None
-                nn.init.zeros_(module.bias)
+                if module.bias is not None:
+                    nn.init.zeros_(module.bias)
 
     def forward(self, images: Tensor, shifts: Tensor | None = None, half: bool = False) -> Tensor:
         """`(N, h, w, 3)` uint8 to `(N, features)` float32; `half` runs the convolutions in bfloat16.
@@ -81,7 +73,7 @@ class Encoder(nn.Module):
         `shifts` `(N, 2)`: how far right and down of the centre each crop was taken [half sides]. The keypoints
         are moved by as much: a random crop varies what is seen but not where it is said to be.
         """
-        places = torch.cat([self._located(part, half) for part in images.split(_PART)])
+        places = torch.cat([self._located(part, half) for part in images.split(self.at_once)])
         if shifts is not None:
             places = places + shifts.repeat_interleave(places.shape[1] // 2, dim=1)
         return self.project(places)

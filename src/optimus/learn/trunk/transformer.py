@@ -1,12 +1,16 @@
-"""The sequence model between features and actions: a causal transformer over the frames of a window."""
+"""A causal transformer over the frames of a window (Radford et al., 2019), their places in the window learned."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from typing import Literal
 
 import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
+
+from optimus.learn.trunk.dropout import dropout
 
 
 @dataclass(frozen=True)
@@ -18,17 +22,18 @@ class TransformerConfig:
     heads: int = 4
     dropout: float = 0.0
     """Share dropped after the input and each half block; 0.1 in the paper, which costs a small policy precision."""
+    attention_dropout: float = 0.0
+    """Share of the attention weights dropped; 0.1 in the paper."""
+    kind: Literal["transformer"] = "transformer"
 
+    @property
+    def token(self) -> int:
+        """Size of the tokens it reads."""
+        return self.width
 
-def dropout(x: Tensor, share: float, noise: torch.Generator | None) -> Tensor:
-    """Drop this share of the entries; none without `noise`.
-
-    The masks come from a generator of the caller's, so that a gradient is a function of its seed in whatever
-    thread it is computed.
-    """
-    if noise is None or share == 0:
-        return x
-    return x * (torch.rand(x.shape, generator=noise, device=x.device) >= share) / (1 - share)
+    def build(self, context: int) -> Transformer:
+        """A trunk with random weights."""
+        return Transformer(self, context)
 
 
 class Block(nn.Module):
@@ -37,7 +42,7 @@ class Block(nn.Module):
     def __init__(self, config: TransformerConfig) -> None:
         super().__init__()
         width = config.width
-        self.heads, self.dropout = config.heads, config.dropout
+        self.heads, self.dropout, self.attention_dropout = config.heads, config.dropout, config.attention_dropout
         self.norm_attention, self.norm_mlp = nn.LayerNorm(width), nn.LayerNorm(width)
         self.qkv = nn.Linear(width, 3 * width, bias=False)
         self.merge = nn.Linear(width, width)
@@ -47,9 +52,20 @@ class Block(nn.Module):
         """`(B, C, width)` to the same."""
         b, c, d = x.shape
         q, k, v = self.qkv(self.norm_attention(x)).reshape(b, c, 3, self.heads, d // self.heads).permute(2, 0, 3, 1, 4)
-        mixed = F.scaled_dot_product_attention(q, k, v, is_causal=True)
+        if noise is None or self.attention_dropout == 0:
+            mixed = F.scaled_dot_product_attention(q, k, v, is_causal=True)
+        else:
+            mixed = _attention(q, k, v, self.attention_dropout, noise)
         x = x + dropout(self.merge(mixed.transpose(1, 2).reshape(b, c, d)), self.dropout, noise)
         return x + dropout(self.contract(F.gelu(self.expand(self.norm_mlp(x)))), self.dropout, noise)
+
+
+def _attention(q: Tensor, k: Tensor, v: Tensor, share: float, noise: torch.Generator) -> Tensor:
+    """Causal attention `(B, heads, C, d)` with a share of its weights dropped: PyTorch's own drops by a generator of its own."""
+    scores = q @ k.transpose(-1, -2) / math.sqrt(q.shape[-1])
+    later = torch.ones(scores.shape[-2:], dtype=torch.bool, device=q.device).triu(1)
+    weights = F.softmax(scores.masked_fill(later, -math.inf), -1)
+    return dropout(weights, share, noise) @ v
 
 
 class Transformer(nn.Module):

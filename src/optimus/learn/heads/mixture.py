@@ -1,13 +1,24 @@
-"""Features to a distribution over actions: a mixture of Gaussians."""
+"""A mixture of Gaussians over the next action; with one component, a Gaussian; with one of unit deviation, least squares."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
+import numpy as np
 import torch
 import torch.nn.functional as F
+from numpy.typing import NDArray
 from torch import Tensor, nn
+
+from optimus.data.episode import GRIPPER
+
+Component = Literal["sampled", "likeliest", "paper"]
+
+SHARPNESS = 4.0
+"""Where two components mean two ways to the same end, drawing evenly between them at every step leads neither way; always taking
+the likelier one may stand still for ever. Between the two: docs/results/first-policies.md."""
 
 
 @dataclass(frozen=True)
@@ -19,6 +30,23 @@ class MixtureConfig:
     """Smallest deviation, in normalised units: the likelihood of what hardly varies cannot explode."""
     gripper_weight: float = 1.0
     """Weight of the gripper's log-density beside that of each other dimension."""
+    fixed_deviation: float | None = None
+    """If given, every deviation: with one mode, the loss is the squared error but for a factor and a constant."""
+    kind: Literal["mixture"] = "mixture"
+
+    @property
+    def chunk(self) -> int:
+        """Actions in an answer."""
+        return 1
+
+    @property
+    def executed(self) -> int:
+        """How many of them are carried out before the next answer."""
+        return 1
+
+    def build(self, width: int, actions: int) -> MixtureHead:
+        """A head with random weights."""
+        return MixtureHead(self, width, actions)
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +75,18 @@ class Mixture:
         chosen = torch.multinomial(weights.reshape(-1, weights.shape[-1]), 1, generator=noise)
         return self._means_of(chosen.reshape(weights.shape[:-1]))
 
+    def answer(self, component: Component, noise: torch.Generator) -> Tensor:
+        """The action `(..., n)` that is carried out, its gripper -1 or 1."""
+        sharpness = 1.0 if component == "paper" else SHARPNESS
+        mean = self.likeliest() if component == "likeliest" else self.sampled(noise, sharpness)
+        shut = mean[..., GRIPPER] > 0 if component == "paper" else self.shut()
+        return torch.cat([mean[..., :GRIPPER], torch.where(shut, 1.0, -1.0)[..., None]], -1)
+
+    def shut(self) -> Tensor:
+        """Whether components of more than half of the weight have the gripper shut, `(...)`."""
+        weight = torch.softmax(self.logits, -1)
+        return (weight * (self.mean[..., GRIPPER] > 0)).sum(-1) > 0.5
+
     def _means_of(self, chosen: Tensor) -> Tensor:
         index = chosen[..., None, None].expand(*chosen.shape, 1, self.mean.shape[-1])
         return self.mean.gather(-2, index).squeeze(-2)
@@ -67,8 +107,13 @@ class MixtureHead(nn.Module):
         k, n = self.config.modes, self.actions
         mean, spread, logits = self.parameters_of(features).float().split([k * n, k * n, k], dim=-1)
         deviation = F.softplus(spread) + self.config.min_deviation
+        if self.config.fixed_deviation is not None:
+            deviation = torch.full_like(deviation, self.config.fixed_deviation)
         return Mixture(logits, torch.tanh(mean.unflatten(-1, (k, n))), deviation.unflatten(-1, (k, n)))
 
-    def loss(self, features: Tensor, actions: Tensor) -> Tensor:
+    def fit(self, actions: NDArray[np.float32]) -> None:
+        """Nothing to be known beforehand."""
+
+    def loss(self, features: Tensor, actions: Tensor, noise: torch.Generator | None = None) -> Tensor:
         """Negative log-likelihood of normalised `actions` `(..., n)`, shape `(...)`."""
         return -self(features).log_density(actions, self.weight.to(features.device))

@@ -1,0 +1,23 @@
+"""What the policy's cameras see, side by side and large enough to look at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, Observation
+
+FACTOR = 3
+
+
+def blank(cameras: Sequence[str]) -> NDArray[np.uint8]:
+    """A picture of that size, before there is one."""
+    return np.zeros((FACTOR * IMAGE_SIZE, FACTOR * IMAGE_SIZE * len(cameras), 3), np.uint8)
+
+
+def side_by_side(observation: Observation, cameras: Sequence[str]) -> NDArray[np.uint8]:
+    """The cameras' images `(h, w, 3)` beside one another, each pixel as it is, three times as large: the policy sees no more."""
+    row = np.concatenate([observation[camera + IMAGE_SUFFIX] for camera in cameras], axis=1)
+    return row.repeat(FACTOR, axis=0).repeat(FACTOR, axis=1)

@@ -1,0 +1,86 @@
+"""The score of imitability: zero for a function of the state, the noise's own size for noise, and worse for worse habits."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from optimus.collect import CollectConfig, collect
+from optimus.data.imitability import imitability
+from optimus.data.store import EpisodeStore
+from optimus.demonstrate import ExpertConfig
+from optimus.errors import DatasetError
+from optimus.expert import TimeLaw
+from optimus.skills import Style
+from synthetic import make_episode
+
+STEPS, SCALE = 12, 0.05
+
+
+def made(folder: Path, noise: float, episodes: int = 40, wait: int = 0) -> EpisodeStore:
+    """The hand goes along x at 1 cm a step, the actions with `noise` [m] on each number of the position; or, having shut the
+    gripper, it waits for so many steps and goes on, which no state tells."""
+    store = EpisodeStore.create(folder, "square", (), {"position_scale": SCALE, "rotation_scale": 0.5})
+    for seed in range(episodes):
+        rng = np.random.default_rng(seed)
+        place = np.concatenate([np.arange(STEPS // 2), np.full(wait, STEPS // 2), np.arange(STEPS // 2, STEPS)])
+        moving = np.append(np.diff(place), 1)
+        hand = np.zeros((len(place), 3), np.float32)
+        hand[:, 0] = 0.01 * place
+        actions = np.zeros((len(place), 7), np.float32)
+        actions[:, 0] = 0.01 * moving / SCALE
+        actions[:, :3] += rng.normal(size=(len(place), 3)) * noise / SCALE
+        actions[:, 6] = np.where(place < STEPS // 2, -1, 1)
+        base = make_episode(seed, len(place), cameras=())
+        changes: dict[str, Any] = {"actions": actions, "executed": actions, "objects": np.zeros((len(place), 1, 3), np.float32)}
+        changes["observations"] = {**base.observations, "robot0_eef_pos": hand}
+        store.write(make_episode(seed, len(place), cameras=(), **changes))
+    return store
+
+
+def test_a_function_of_the_state_leaves_nothing_to_chance(tmp_path: Path) -> None:
+    score = imitability(made(tmp_path, 0.0).path)
+    assert score.drift < 1e-6 and score.doubt == 0 and score.alike < 1e-6 and score.compared == 1
+
+
+def test_noise_is_found_in_its_own_size(tmp_path: Path) -> None:
+    """Independent noise of 2 mm on each of three numbers, over twelve steps, sums to 2 mm x sqrt(36)."""
+    score = imitability(made(tmp_path, 0.002).path)
+    assert score.drift == pytest.approx(0.002 * np.sqrt(3 * STEPS), rel=0.08)
+    whole = sum(phase["drift"] ** 2 for phase in score.phases.values())
+    assert score.drift == pytest.approx(np.sqrt(whole))
+
+
+@pytest.mark.parametrize("wait", [3, 20])
+def test_a_wait_that_nothing_ends_is_a_matter_of_chance(tmp_path: Path, wait: int) -> None:
+    """In the best guess of a memoryless policy, w steps stand still and one goes on 1 cm: the variance of that choice, summed."""
+    score = imitability(made(tmp_path, 0.0, wait=wait).path)
+    share = 1 / (wait + 1)
+    assert score.drift == pytest.approx(0.01 * np.sqrt((wait + 1) * share * (1 - share)), rel=0.35)
+
+
+def test_habits_are_put_in_their_order(tmp_path: Path) -> None:
+    """Of stack: the defaults are easier to imitate than longer stalls or random grasps, and these than sampled motion."""
+    kinds = {
+        "default": ExpertConfig(),
+        "stall": ExpertConfig(law=TimeLaw(stall=25)),
+        "random": ExpertConfig(style=Style(grasps="random", ik="random")),
+        "sampled": ExpertConfig(style=Style(motion="sampled")),
+    }
+    drift = {}
+    for name, expert in kinds.items():
+        collect(CollectConfig("stack", tmp_path / name, 14, workers=1, expert=expert, images=False))
+        drift[name] = imitability(tmp_path / name).drift
+    assert drift["default"] < drift["stall"] < drift["sampled"]
+    assert drift["default"] < drift["random"] < drift["sampled"]
+
+
+def test_what_cannot_be_compared_is_said(tmp_path: Path) -> None:
+    with pytest.raises(DatasetError, match="collect more"):
+        imitability(made(tmp_path / "few", 0.0, episodes=3).path)
+    other = EpisodeStore.create(tmp_path / "other", "square", (), {})
+    for seed in range(8):
+        other.write(make_episode(seed, cameras=()))
+    with pytest.raises(DatasetError, match="position_scale"):
+        imitability(other.path)

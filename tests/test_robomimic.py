@@ -1,0 +1,245 @@
+"""robomimic's HDF5, read by the rules of its documentation with h5py alone; and files that try to be more than data."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from pathlib import Path
+from typing import Any
+
+import h5py
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from optimus.control import CONTROL_HZ
+from optimus.data.curate import CurationConfig, curate, load_curation
+from optimus.data.store import EpisodeStore
+from optimus.env import ManipulationEnv
+from optimus.errors import DatasetError, StorageError
+from optimus.exchange.robomimic import RobomimicConfig, export_robomimic
+from optimus.exchange.robomimic_import import RobomimicSource, import_robomimic
+from optimus.learn import metrics
+from optimus.learn.train import TrainConfig, train
+from optimus.tasks import task as task_named
+from synthetic import CAMERAS, make_dataset, make_episode
+
+NO_STATES = RobomimicConfig(states=False)
+
+
+def test_the_file_is_as_the_format_says(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 10)
+    curation = load_curation(store.path)
+    said = export_robomimic(store.path, tmp_path / "d.hdf5")
+    with h5py.File(tmp_path / "d.hdf5", "r", swmr=True, libver="latest") as opened:  # as robomimic's loader opens it
+        file: Any = opened
+        data = file["data"]
+        assert json.loads(data.attrs["env_args"]).keys() >= {"env_name", "type", "env_kwargs"}
+        assert data.attrs["total"] == sum(demo.attrs["num_samples"] for demo in data.values()) == said["steps"]
+        assert sorted(data) == sorted(f"demo_{i}" for i in range(len(curation.kept)))
+        masks = {key: {n.decode() for n in file[f"mask/{key}"][()]} for key in ("train", "valid")}
+        assert masks["train"] | masks["valid"] == set(data) and not masks["train"] & masks["valid"]
+        for number, seed in enumerate(curation.kept):
+            demo, episode = data[f"demo_{number}"], store.read(seed)
+            assert (f"demo_{number}" in masks["valid"]) == (seed in curation.validation)
+            assert np.array_equal(demo["actions"], episode.actions) and demo.attrs["num_samples"] == len(episode)
+            assert demo["dones"][()].tolist() == [0] * (len(episode) - 1) + [1] and demo["rewards"][-1] == 1
+            assert demo["obs"].keys() == demo["next_obs"].keys() == {*episode.observations, "object"}
+            for name, array in episode.observations.items():
+                assert demo[f"obs/{name}"].dtype == array.dtype and np.array_equal(demo[f"obs/{name}"], array)
+                assert np.array_equal(demo[f"next_obs/{name}"][:-1], array[1:])
+            assert demo["obs/front_image"].dtype == np.uint8 and demo["obs/front_image"].shape[1:] == (84, 84, 3)
+
+
+def test_what_was_exported_comes_back(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 6)
+    export_robomimic(store.path, tmp_path / "d.hdf5", RobomimicConfig(compress=True, next_obs=False))
+    import_robomimic(tmp_path / "d.hdf5", tmp_path / "back")
+    back = EpisodeStore.open(tmp_path / "back")
+    assert (back.task, back.cameras, back.config) == (store.task, store.cameras, store.config)
+    assert load_curation(back.path).train == load_curation(store.path).train
+    for seed in load_curation(store.path).kept:
+        one, other = store.read(seed), back.read(seed)
+        assert one.skeleton == other.skeleton and one.object_names == other.object_names
+        for name in ("actions", "executed", "objects", "initial_state"):
+            assert np.array_equal(getattr(one, name), getattr(other, name))
+        assert all(np.array_equal(a, other.observations[n]) for n, a in one.observations.items())
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.data(), st.integers(1, 6), st.integers(2, 9))
+def test_any_numbers_survive_the_way_there_and_back(
+    tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, steps: int, size: int
+) -> None:
+    folder = tmp_path_factory.mktemp("any")
+    finite = st.floats(-1e6, 1e6, width=32)
+    actions = data.draw(arrays.arrays(np.float32, (steps, size), elements=finite))
+    position = data.draw(arrays.arrays(np.float32, (steps, 3), elements=finite))
+    store = EpisodeStore.create(folder / "data", "square", CAMERAS, {})
+    episode = make_episode(3, steps, actions=actions, executed=actions)
+    episode.observations["robot0_eef_pos"] = position
+    store.write(episode)
+    export_robomimic(folder / "data", folder / "d.hdf5", NO_STATES)
+    import_robomimic(folder / "d.hdf5", folder / "back")
+    back = EpisodeStore.open(folder / "back").read(3)
+    assert np.array_equal(back.actions, actions) and np.array_equal(back.observations["robot0_eef_pos"], position)
+
+
+def test_states_are_those_of_the_physics(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    """MuJoCo, put into an exported state, has the hand and the things where the episode saw them."""
+    said = export_robomimic(taught[0], tmp_path / "d.hdf5", RobomimicConfig(everything=True))
+    assert said["states"]
+    store = EpisodeStore.open(taught[0])
+    env = ManipulationEnv(task_named("stack"), images=False)
+    with h5py.File(tmp_path / "d.hdf5", "r") as file:
+        demo: Any = file["data/demo_1"]
+        episode = store.read(json.loads(demo.attrs["ep_meta"])["seed"])
+        env.reset(seed=episode.seed)
+        model, states = env.world.model, demo["states"][()]
+        assert "<mujoco" in demo.attrs["model_file"] and json.loads(demo.attrs["ep_meta"])["lang"].startswith("put the red block")
+        for step in (0, len(episode) // 2, len(episode) - 1):
+            time, env.data.qpos[:], env.data.qvel[:] = np.split(states[step], (1, 1 + model.nq))  # robosuite's order
+            mujoco.mj_forward(model, env.data)
+            assert time == pytest.approx(states[0, 0] + step / CONTROL_HZ)
+            assert np.allclose(env.object_positions(), episode.objects[step], atol=1e-6)
+            assert np.allclose(env.observe()["robot0_eef_pos"], episode.observations["robot0_eef_pos"][step], atol=1e-6)
+
+
+def test_another_s_demonstrations_are_curated_and_learned_from(tmp_path: Path) -> None:
+    """A file as robosuite users have them: float64, no words, no masks, other observations, one demonstration without success."""
+    _robosuite_like(tmp_path / "lift.hdf5", count=8)
+    said = import_robomimic(tmp_path / "lift.hdf5", tmp_path / "lift", RobomimicSource(instruction="lift the cube"))
+    assert said["observations"] == ["robot0_eef_pos", "robot0_eef_quat", "robot0_gripper_qpos", "agentview_image"]
+    store = EpisodeStore.open(tmp_path / "lift")
+    assert store.task == "Lift" and store.config["position_scale"] == 0.05
+    assert store.read(10).info["instruction"] == "lift the cube" and store.read(10).initial_state.shape == (32,)
+    curation = curate(store.path, CurationConfig())
+    assert curation.dropped == {3: "failed"}
+    policy = train(store.path, tmp_path / "run", TrainConfig(steps=2))
+    assert policy.inputs.objects == 0 and set(policy.inputs.proprioception) == set(said["observations"][:3])
+    for line in metrics.read(tmp_path / "run"):
+        assert np.isfinite([v for v in line.values() if v is not None]).all()
+    with pytest.raises(DatasetError, match="robot0_joint_pos"):
+        import_robomimic(tmp_path / "lift.hdf5", tmp_path / "other", RobomimicSource(observations=("robot0_jointpos",)))
+    assert not (tmp_path / "other").exists()
+
+
+def _robosuite_like(path: Path, count: int) -> None:
+    rng = np.random.default_rng(0)
+    sizes = {"robot0_eef_pos": 3, "robot0_eef_quat": 4, "robot0_gripper_qpos": 2, "robot0_joint_pos": 7, "object": 10}
+    with h5py.File(path, "w") as file:
+        data = file.create_group("data")
+        kwargs = {"controller_configs": {"type": "OSC_POSE", "output_max": [0.05] * 3 + [0.5] * 3}, "control_freq": 20}
+        data.attrs["env_args"] = json.dumps({"env_name": "Lift", "type": 1, "env_kwargs": kwargs})
+        for i in range(3, 3 + count):
+            demo, steps = data.create_group(f"demo_{i}"), 12 + i % 3
+            demo.attrs["num_samples"] = steps
+            demo["actions"], demo["states"] = rng.uniform(-1, 1, (steps, 7)), rng.normal(size=(steps, 32))
+            demo["rewards"], demo["dones"] = np.eye(steps)[-1] * (i != 3), np.eye(steps)[-1]
+            for name, size in sizes.items():
+                demo[f"obs/{name}"] = rng.normal(size=(steps, size))
+            demo["obs/agentview_image"] = rng.integers(0, 255, (steps, 84, 84, 3), dtype=np.uint8)
+
+
+def _damage(kind: str, file: Any, folder: Path) -> None:
+    demo = file["data/demo_0"]
+    pos = demo["obs/robot0_eef_pos"][()]
+    if kind == "no data":
+        del file["data"]
+    elif kind == "no demonstrations":
+        for name in list(file["data"]):
+            del file["data"][name]
+    elif kind == "NaN":
+        demo["actions"][0, 0] = np.nan
+    elif kind == "rows":
+        del demo["obs/robot0_eef_pos"]
+        demo["obs/robot0_eef_pos"] = pos[:-1]
+    elif kind == "no actions":
+        del demo["actions"]
+    elif kind == "env_args":
+        file["data"].attrs["env_args"] = "[1, 2"
+    elif kind == "external link":
+        with h5py.File(folder / "elsewhere.hdf5", "w") as other:
+            other["pos"] = pos
+        del demo["obs/robot0_eef_pos"]
+        demo["obs/robot0_eef_pos"] = h5py.ExternalLink(str(folder / "elsewhere.hdf5"), "pos")
+    elif kind == "pickled":
+        del demo["actions"]
+        demo.create_dataset("actions", data=np.frombuffer(pickle.dumps(_Bomb(folder)), np.uint8).view("V1"))
+    elif kind == "objects":
+        del demo["actions"]
+        demo.create_dataset("actions", (2,), dtype=h5py.vlen_dtype(np.float64))
+    elif kind == "external storage":
+        (folder / "raw").write_bytes(np.zeros((len(pos), 7), np.float64).tobytes())
+        del demo["actions"]
+        demo.create_dataset("actions", (len(pos), 7), np.float64, external=[(str(folder / "raw"), 0, h5py.h5f.UNLIMITED)])
+
+
+class _Bomb:
+    """Leaves a mark wherever it is unpickled."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return Path.touch, (self.folder / "executed",)
+
+
+DAMAGE = {
+    "no data": "no group 'data'",
+    "no demonstrations": "no demonstrations",
+    "NaN": "NaN",
+    "rows": "rows",
+    "no actions": "'actions'",
+    "env_args": "env_args",
+    "external link": "robot0_eef_pos",
+    "pickled": "only plain numbers",
+    "objects": "only plain numbers",
+    "external storage": "another file",
+}
+
+
+@pytest.mark.parametrize("kind", DAMAGE)
+def test_what_is_no_plain_data_is_refused_and_leaves_nothing(tmp_path: Path, kind: str) -> None:
+    _robosuite_like(tmp_path / "d.hdf5", count=1)
+    with h5py.File(tmp_path / "d.hdf5", "r+") as file:
+        file.move("data/demo_3", "data/demo_0")
+        _damage(kind, file, tmp_path)
+    names = ("robot0_eef_pos",)
+    with pytest.raises(DatasetError, match=DAMAGE[kind]):
+        import_robomimic(tmp_path / "d.hdf5", tmp_path / "out", RobomimicSource(observations=names))
+    assert not (tmp_path / "executed").exists() and not list(tmp_path.glob("out*"))
+
+
+def test_what_is_there_is_not_replaced_unasked(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 4)
+    target = tmp_path / "d.hdf5"
+    target.write_text("mine")
+    with pytest.raises(StorageError, match="--overwrite"):
+        export_robomimic(store.path, target, NO_STATES)
+    assert target.read_text() == "mine"
+    export_robomimic(store.path, target, RobomimicConfig(states=False, overwrite=True))
+    with pytest.raises(StorageError, match=r"dataset\.json"):  # a folder that is no data set is never replaced
+        import_robomimic(target, tmp_path, RobomimicSource(overwrite=True))
+    import_robomimic(target, store.path, RobomimicSource(overwrite=True))
+    assert len(EpisodeStore.open(store.path).seeds) == 4 and sorted(p.name for p in tmp_path.iterdir()) == ["d.hdf5", "data"]
+    with pytest.raises(DatasetError, match="not an HDF5"):
+        import_robomimic(store.path / "dataset.json", tmp_path / "x")
+    with pytest.raises(DatasetError, match="not a dataset"):
+        export_robomimic(tmp_path, tmp_path / "y.hdf5")
+
+
+def test_an_export_that_breaks_off_leaves_the_old_file(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 4)
+    export_robomimic(store.path, tmp_path / "d.hdf5", NO_STATES)
+    before = (tmp_path / "d.hdf5").read_bytes()
+
+    def stop(done: int, of: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        export_robomimic(store.path, tmp_path / "d.hdf5", RobomimicConfig(states=False, overwrite=True), stop)
+    assert (tmp_path / "d.hdf5").read_bytes() == before and len(list(tmp_path.iterdir())) == 2
