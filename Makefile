@@ -21,6 +21,7 @@ check: $(READY)
 	$(BIN)/ruff check
 	$(BIN)/lint-imports
 	$(BIN)/pyright
+	$(BIN)/python scripts/results_table --check  # README.md says what docs/results says
 
 bench: $(READY)
 	$(BIN)/optimus bench expert stack --episodes 20

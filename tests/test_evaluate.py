@@ -1,16 +1,23 @@
 """Evaluation: the interval against scipy, the outcome against the number of workers."""
 
+import json
 from pathlib import Path
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binomtest
 
+from optimus.conditions import Conditions
+from optimus.data.episode import Observation
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.evaluate import evaluate, play, random_starts, validation_starts
+from optimus.errors import CheckpointError
+from optimus.evaluate import evaluate, play, policy_folder, random_starts, validation_starts
+from optimus.learn import checkpoint
+from optimus.rollout import rollout
 from optimus.statistics import wilson
 from optimus.tasks import task
 
@@ -27,6 +34,49 @@ def test_outcomes_do_not_depend_on_the_number_of_workers(taught: tuple[Path, Pat
     reports = [evaluate(taught[1], starts, "random", workers=w) for w in (1, 2)]
     assert reports[0].outcomes == reports[1].outcomes
     assert reports[0].episodes == 3 and all(o.cause for o in reports[0].outcomes if not o.success)
+
+
+def test_outcome_files_are_the_same_from_one_and_from_eight_environments(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    """Episodes end after few steps here; eight processes have one each, one process has all eight."""
+    starts, short = random_starts(8), Conditions("push", friction=0.8, horizon=6)
+    files = []
+    for workers in (1, 8):
+        folder = tmp_path / str(workers)
+        folder.mkdir()
+        report = evaluate(taught[1], starts, "random", workers=workers, conditions=short)
+        report.write(folder)
+        files.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    assert files[0] == files[1] and len(files[0]) == 2
+    (lines,) = (text for name, text in files[0].items() if name.endswith(".jsonl"))
+    outcomes = [json.loads(line) for line in lines.splitlines()]
+    assert [o["seed"] for o in outcomes] == [s.seed for s in starts] and all(o["steps"] <= 6 for o in outcomes)
+
+
+def test_last_and_best_checkpoints_are_told_apart(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    assert policy_folder(taught[1], "last") == taught[1]
+    assert checkpoint.best_step(taught[1]) is not None
+    assert checkpoint.read_config(policy_folder(taught[1], "best"))["best"]["step"] <= 3
+    with pytest.raises(CheckpointError):
+        policy_folder(tmp_path, "best")
+
+
+def test_the_papers_rule_holds_once_the_goal_was_met_however_the_episode_ends() -> None:
+    """An agent that puts the cube down and never lets go meets the paper's rule, not the strict one."""
+    env = ManipulationEnv(task("stack"), images=False)
+    episode = demonstrate(env, 11, ExpertConfig()).episode
+    assert episode is not None
+    shut = next(i for i, a in enumerate(episode.executed) if i > 20 and episode.executed[i - 1][-1] > 0 > a[-1])
+
+    class Clinging:
+        def __init__(self) -> None:
+            self.actions = iter([*episode.executed[:shut], *[np.array([0] * 6 + [1], np.float32)] * 20])
+
+        def act(self, observation: Observation) -> np.ndarray | None:
+            return next(self.actions, None)
+
+    seen, _ = env.reset(seed=11, options={"state": episode.initial_state})
+    clung = rollout(env, seen, Clinging(), "clinging")
+    assert clung.info["paper_success"] and not clung.success
 
 
 def test_validation_starts_are_those_of_the_demonstrations(taught: tuple[Path, Path]) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from optimus.errors import StorageError
-from optimus.evaluate import worth_filming
+from optimus.filming import worth_filming
 from optimus.report import (
     DatasetStats,
     EvaluationStats,

@@ -95,11 +95,16 @@ def plan_for(env: ManipulationEnv, seed: int, config: ExpertConfig) -> Planned:
 
 
 def demonstrate(
-    env: ManipulationEnv, seed: int, config: ExpertConfig, meddler: Callable[[np.random.Generator], Meddler] | None = None
+    env: ManipulationEnv,
+    seed: int,
+    config: ExpertConfig,
+    meddler: Callable[[np.random.Generator], Meddler] | None = None,
+    watch: Callable[[ManipulationEnv], None] = lambda env: None,
 ) -> Attempt:
     """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
 
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
+    `watch`: as for `rollout`.
     """
     observation, info = env.reset(seed=seed)
     planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
@@ -119,7 +124,7 @@ def demonstrate(
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
         return None if pushes is None else pushes.next(seen, label, expert.slack)
 
-    episode = rollout(env, observation, expert, "expert", push)
+    episode = rollout(env, observation, expert, "expert", push, watch)
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
     episode = replace(episode, skeleton=plan.skeleton, info=info)
     return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
@@ -27,6 +28,7 @@ from optimus.data.episode import (
 from optimus.errors import ModelError, UnknownNameError
 from optimus.render import Rig
 from optimus.robots import Robot
+from optimus.scene import Scene
 from optimus.se3 import Array
 from optimus.spec import PHYSICS_DT
 from optimus.state import State
@@ -63,12 +65,13 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         robot: Robot | None = None,
         positions: bool = False,
         gripper: str = BINARY,
+        worlds: Callable[[Scene], World] = compile_scene,
     ) -> None:
         """`robot` takes the place of the task's own; with `positions`, agents are told where the movables are; `gripper` is
-        `BINARY` or `CONTINUOUS`."""
+        `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one."""
         if gripper not in (BINARY, CONTINUOUS):
             raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
-        self.gripper = gripper
+        self.gripper, self._worlds = gripper, worlds
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self.positions = positions
         self.control = require_control(control)
@@ -95,7 +98,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _start(self, problem: Problem, seed: int) -> None:
         self.problem, self.episode_seed = problem, seed
-        self.world: World = compile_scene(problem.scene)
+        self.world: World = self._worlds(problem.scene)
         self.data = mujoco.MjData(self.world.model)
         self.controller = controller(self.control, self.world)
         self._steps = 0
@@ -133,9 +136,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.controller.move_target(command[:GRIPPER], self.data)
         self._advance(gripper=float(command[GRIPPER]), substeps=SUBSTEPS)
         self._steps += 1
-        success = self.problem.success(self.state())
+        state = self.state()
+        success = self.problem.success(state)
         truncated = self._steps >= self.task.horizon
-        return self.observe(), float(success), success, truncated, {"success": success}
+        info = {"success": success, "paper_success": self.problem.paper_success(state)}
+        return self.observe(), float(success), success, truncated, info
 
     def _advance(self, gripper: float, substeps: int) -> None:
         model, data, world = self.world.model, self.data, self.world

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,10 @@ from typing import Any
 import numpy as np
 import torch
 
-from optimus.data.atomic import write_whole
+from optimus.conditions import USUAL, Conditions
+from optimus.data.atomic import write_json, write_whole
 from optimus.data.curate import load_curation
-from optimus.data.episode import OBJECT_POSITIONS, Episode
+from optimus.data.episode import BINARY, CONTINUOUS, OBJECT_POSITIONS, Episode
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
@@ -24,7 +26,6 @@ from optimus.robots import Robot
 from optimus.robots.catalogue import known_robots
 from optimus.robots.catalogue import robot as robot_named
 from optimus.rollout import rollout
-from optimus.show import Film, png
 from optimus.statistics import wilson
 from optimus.tasks import task as task_named
 from optimus.tasks import with_objects
@@ -44,6 +45,10 @@ class Outcome:
     steps: int
     cause: str
     variant: str
+    draws: int = 0
+    """Seed of the policy's own draws."""
+    mishap_at: int | None = None
+    """Step at which what `Conditions.perturb` asks for happened; None if it did not."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +58,7 @@ class EvalReport:
     task: str
     states: str
     outcomes: tuple[Outcome, ...]
+    conditions: Conditions = USUAL
 
     @property
     def successes(self) -> int:
@@ -67,14 +73,32 @@ class EvalReport:
         return {
             "task": self.task,
             "states": self.states,
+            "conditions": asdict(self.conditions),
             "successes": self.successes,
             "episodes": self.episodes,
             "distinct_states": len({o.seed for o in self.outcomes}),
             "interval": list(wilson(self.successes, self.episodes)),
             "paper_rule_successes": sum(o.paper_success for o in self.outcomes),
             "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),
+            "mishaps": sum(o.mishap_at is not None for o in self.outcomes),
             "outcomes": [asdict(o) for o in self.outcomes],
         }
+
+    @property
+    def lines(self) -> str:
+        """The outcomes as JSON lines, one an episode, in the order of the initial states: the same text whoever played them."""
+        return "".join(json.dumps(asdict(o)) + "\n" for o in self.outcomes)
+
+    @property
+    def file_name(self) -> str:
+        """Of the report in a run's folder."""
+        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said])) + ".json"
+
+    def write(self, run: Path) -> None:
+        """`RUN/evaluation-<states>[+<conditions>].json` with everything, and the outcomes beside it as `.jsonl`."""
+        path = run / self.file_name
+        write_whole(path.with_suffix(".jsonl"), self.lines.encode())
+        write_json(path, self.as_dict())
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +108,7 @@ class Start:
     seed: int
     state: np.ndarray | None = None
     objects: str | None = None
-    """What to do the task with (see `optimus.tasks.task`); None: what the policy was trained with."""
+    """What to do the task with (see `optimus.tasks.task`); None: what the policy was trained with, empty: the task's own."""
     task: str | None = None
     """Of a policy of several tasks: which; None: its first."""
 
@@ -94,8 +118,8 @@ def validation_starts(dataset: Path, episodes: int) -> list[Start]:
     store, seeds = EpisodeStore.open(dataset), load_curation(dataset).validation
     if not seeds:
         raise DatasetError(f"{dataset} has no validation demonstrations; collect more, or evaluate with --states random")
-    state = lambda seed: store.header(seed).read("initial_state")  # noqa: E731
-    return [Start(s, state(s), task=store.task) for s in (seeds[i % len(seeds)] for i in range(episodes))]
+    again = (seeds[i % len(seeds)] for i in range(episodes))
+    return [Start(s, store.header(s).read("initial_state"), task=store.task) for s in again]
 
 
 def random_starts(episodes: int, seed: int = 0, objects: str | None = None, task: str | None = None) -> list[Start]:
@@ -119,23 +143,55 @@ def trained_robot(run: Path, asked: Robot | None = None) -> Robot | None:
 def require_same_problems(run: Path, dataset: Path) -> None:
     """`DatasetError` if the states of `dataset` are those of another task or robot than the policy in `run` was trained with."""
     inputs, store = checkpoint.load(run).inputs, EpisodeStore.open(dataset)
-    for what in ("task", "robot"):
-        have, wanted = getattr(store, what), getattr(inputs, what)
-        if have != wanted and have not in checkpoint.tasks_of(wanted):
-            raise DatasetError(f"{dataset} was collected with {what} = {have!r}, {run} trained with {wanted!r}; name another")
+    for what, have, fits in (
+        ("task", store.task, checkpoint.tasks_of(inputs.task)),
+        ("robot", store.robot, (inputs.robot,)),
+    ):
+        if have not in fits:
+            wanted = " and ".join(map(repr, fits))
+            raise DatasetError(f"{dataset} was collected with {what} = {have!r}, {run} trained with {wanted}; name another")
+
+
+def policy_folder(run: Path, which: str) -> Path:
+    """The run folder of the `last` or the `best` checkpoint of `run`; `CheckpointError` if that one has not been written."""
+    folder = run / checkpoint.BEST_FOLDER if which == "best" else run
+    checkpoint.read_config(folder)
+    return folder
+
+
+@lru_cache(maxsize=1)
+def _agent(run: Path, component: Component) -> PolicyAgent:
+    torch.set_num_threads(1)
+    return PolicyAgent(run, component)
 
 
 @lru_cache(maxsize=1)
 def _actors(
-    run: Path, component: Component, robot: Robot | None, objects: str | None, task: str | None
+    run: Path, component: Component, robot: Robot | None, task: str | None, objects: str | None, conditions: Conditions
 ) -> tuple[ManipulationEnv, PolicyAgent]:
-    torch.set_num_threads(1)
-    agent = PolicyAgent(run, component)
+    gripper = checkpoint.read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
+    agent = _agent(run, component if gripper == BINARY else CONTINUOUS)
     inputs = agent.policy.inputs
-    name = with_objects(task or checkpoint.tasks_of(inputs.task)[0], objects)
+    name = with_objects(_task_of(inputs.task, task, run), objects)
     told = OBJECT_POSITIONS in inputs.proprioception
-    arm = trained_robot(run, robot)
-    return ManipulationEnv(task_named(name), images=not told, control=inputs.control, robot=arm, positions=told), agent
+    env = ManipulationEnv(
+        conditions.of(task_named(name)),
+        images=not told,
+        control=inputs.control,
+        robot=trained_robot(run, robot),
+        positions=told,
+        gripper=gripper,
+        worlds=conditions.world,
+    )
+    return env, agent
+
+
+def _task_of(trained: str, asked: str | None, run: Path) -> str:
+    """Which task to do, the first where none is asked for; `CheckpointError` if the policy was not trained for it."""
+    known = checkpoint.tasks_of(trained)
+    if asked is not None and asked not in known:
+        raise CheckpointError(f"{run} was trained for {', '.join(known)}, not for {asked!r}; name one of these")
+    return asked or next(iter(known))
 
 
 class _Witness:
@@ -165,8 +221,10 @@ class _Witness:
         return what + (", standing still" if self.moved < 0.001 else "")
 
 
-def _evaluate_one(run: Path, start: Start, seed: int, component: Component, robot: Robot | None) -> Outcome:
-    episode, cause = play(run, start, seed, component, robot=robot)
+def _evaluate_one(
+    run: Path, start: Start, seed: int, component: Component, robot: Robot | None, conditions: Conditions
+) -> Outcome:
+    episode, cause = play(run, start, seed, component, robot=robot, conditions=conditions)
     return Outcome(
         seed=start.seed,
         success=episode.success,
@@ -174,6 +232,8 @@ def _evaluate_one(run: Path, start: Start, seed: int, component: Component, robo
         steps=len(episode),
         cause=cause,
         variant=str(episode.info["variant"]),
+        draws=seed,
+        mishap_at=episode.info["mishap_at"],
     )
 
 
@@ -184,21 +244,24 @@ def play(
     component: Component = "sampled",
     watch: Callable[[ManipulationEnv], None] = lambda env: None,
     robot: Robot | None = None,
+    conditions: Conditions = USUAL,
 ) -> tuple[Episode, str]:
     """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
     trained with, needed only where that has no known name."""
-    env, agent = _actors(run, component, robot, start.objects, start.task)
+    env, agent = _actors(run, component, robot, start.task, start.objects, conditions)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before
     agent.reset(seed * 1_000_003 + start.seed)
-    witness = _Witness()
+    witness, mishap = _Witness(), conditions.mishap(start.seed)
 
-    def both(env: ManipulationEnv) -> None:
+    def all_of_them(env: ManipulationEnv) -> None:
+        mishap(env)
         witness(env)
         watch(env)
 
-    episode = rollout(env, observation, agent, run.name, watch=both)
+    episode = rollout(env, observation, agent, run.name, watch=all_of_them)
+    episode = replace(episode, info={**episode.info, "mishap_at": mishap.at})
     return episode, witness.cause(env, episode)
 
 
@@ -211,63 +274,16 @@ def evaluate(
     component: Component = "sampled",
     progress: Callable[[int, int], None] = lambda done, successes: None,
     robot: Robot | None = None,
+    conditions: Conditions = USUAL,
 ) -> EvalReport:
     """One episode from each start. The outcomes are the same for any number of workers. `robot`: as for `play`."""
     trained_robot(run, robot)
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
-    task = starts[0].task or checkpoint.read_config(run)["task"]
+    task = _task_of(checkpoint.read_config(run)["task"], starts[0].task, run)
     outcomes: dict[int, Outcome] = {}
-    jobs = [partial(_evaluate_one, run, start, seed + i, component, robot) for i, start in enumerate(starts)]
+    jobs = [partial(_evaluate_one, run, start, seed + i, component, robot, conditions) for i, start in enumerate(starts)]
     for i, outcome in finished(jobs, workers):
         outcomes[i] = outcome
         progress(len(outcomes), sum(o.success for o in outcomes.values()))
-    return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))))
-
-
-@dataclass(frozen=True)
-class FilmedEpisode:
-    """An episode to look at."""
-
-    caption: str
-    video: Path
-    strip: Path
-    success: bool
-    cause: str = ""
-
-
-def film_outcomes(
-    run: Path,
-    starts: Sequence[Start],
-    report: dict[str, Any],
-    seed: int,
-    component: Component,
-    folder: Path,
-    robot: Robot | None = None,
-    each: int = 3,
-) -> list[FilmedEpisode]:
-    """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
-    are functions of their seeds."""
-    films = []
-    for success in (True, False):
-        for i in worth_filming(report["outcomes"], success, each):
-            outcome, film = report["outcomes"][i], Film()
-            play(run, starts[i], seed + i, component, film, robot)
-            path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
-            film.write(path)
-            write_whole(path.with_suffix(".png"), png(film.strip()))
-            named = f"seed {outcome['seed']} {outcome['variant']}".strip()
-            caption = f"{named}: {'success' if success else outcome['cause']}"
-            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success, outcome["cause"]))
-    return films
-
-
-def worth_filming(outcomes: Sequence[dict[str, Any]], success: bool, each: int) -> list[int]:
-    """Indices of `each` outcomes; of failures one of every cause first, however many causes there are."""
-    seen: Counter[str] = Counter()
-    ranked = []
-    for i, outcome in enumerate(outcomes):
-        if outcome["success"] is success:
-            ranked.append((seen[outcome["cause"]], i))
-            seen[outcome["cause"]] += 1
-    return [i for _, i in sorted(ranked)[: max(each, len(seen))]]
+    return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))), conditions)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import JOINT_SCALE
-from optimus.data.episode import GRIPPER, INSTRUCTION, STATE_COLUMNS, VIEWS, Episode, Observation
+from optimus.data.episode import GRIPPER, INSTRUCTION, RECEPTACLE, STATE_COLUMNS, VIEWS, Episode, Observation
 from optimus.env import RECORDED_STATE, ManipulationEnv
 from optimus.predicates import holds
 from optimus.world import World
@@ -118,11 +118,12 @@ def rollout(
     """Run `agent` from the environment's present state (of which `observation` is the view) to success, its end or the horizon.
 
     `push(observation, label)` gives what to add to the executed action, or None;
-    `watch(env)` is called before every step (films, measurements).
+    `watch(env)` is called before every step (films, measurements). By the paper's rule, which never asks for release, an episode
+    has succeeded (`info["paper_success"]`) as soon as the goal is met, whatever becomes of it afterwards.
     """
     log = Log([], [], [], [], [])
     start = env.snapshot()
-    success, truncated, idle = False, False, 0
+    success, truncated, idle, by_paper = False, False, 0, env.problem.paper_success(env.state())
     still = np.zeros(env.action_size, np.float32)
     while not (success or truncated or idle >= LAST_LOOK):
         watch(env)
@@ -138,9 +139,11 @@ def rollout(
         log.executed.append(done)
         log.objects.append(env.object_positions())
         log.states.append(env.snapshot(RECORDED_STATE))
-        observation, _, success, truncated, _ = env.step(done)
+        observation, _, success, truncated, found = env.step(done)
+        by_paper = by_paper or found["paper_success"]
     watch(env)
-    return _episode(env, log, start, name, success, "" if success else failure_of(env, truncated))
+    episode = _episode(env, log, start, name, success, "" if success else failure_of(env, truncated))
+    return replace(episode, info={**episode.info, "paper_success": by_paper})
 
 
 def failure_of(env: ManipulationEnv, truncated: bool) -> str:
@@ -166,13 +169,13 @@ def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: s
         failure=failure,
         info={
             "variant": env.problem.variant,
-            "paper_success": env.problem.paper_success(env.state()),
             "control": env.control,
             "goal": sorted(str(a) for a in env.problem.goal),
             VIEWS: env.world.views,
             STATE_COLUMNS: state_columns(env.world),
             INSTRUCTION: env.problem.instruction,
             "words": env.problem.words,
+            **({RECEPTACLE: env.problem.receptacle} if env.problem.receptacle else {}),
         },
         states=np.stack(log.states),
     )

@@ -27,7 +27,8 @@ from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore, installed_versions
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
-from optimus.evaluate import FilmedEpisode, evaluate, film_outcomes, validation_starts
+from optimus.evaluate import evaluate, validation_starts
+from optimus.filming import FilmedEpisode, film_outcomes
 from optimus.learn.card import write_card
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
@@ -223,10 +224,10 @@ def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgre
     def note(done: int, successes: int) -> None:
         progress("evaluate", done, config.episodes, {"successes": str(successes)})
 
-    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot).as_dict()
-    write_json(path, report)
+    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot)
+    report.write(policy)
     write_card(policy)
-    return report
+    return report.as_dict()
 
 
 def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[FilmedEpisode]:

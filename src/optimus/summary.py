@@ -12,7 +12,7 @@ from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
-from optimus.evaluate import FilmedEpisode
+from optimus.filming import FilmedEpisode
 from optimus.learn import checkpoint, metrics
 from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 from optimus.statistics import quantiles, wilson

@@ -28,6 +28,8 @@ class Problem:
     poses: dict[str, Pose]
     goal: Facts
     variant: str = ""
+    receptacle: str = ""
+    """Sizes of the furniture, where they are drawn; a size is held out for validation as a whole (`optimus.data.curate`)."""
 
     def __post_init__(self) -> None:
         movable = set(self.scene.movable_names)

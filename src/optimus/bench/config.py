@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
+from optimus.conditions import USUAL, Conditions
 from optimus.control import require_control
 from optimus.data.episode import OSC
 from optimus.env import ManipulationEnv
@@ -31,15 +32,19 @@ class BenchConfig:
     """Validate every plan of the expert independently."""
     where: bool = False
     """Find out where planning time goes."""
+    conditions: Conditions = USUAL
+    """What episodes are played under."""
 
     def __post_init__(self) -> None:
         task_named(self.task)
         require_control(self.control)
 
     def env(self, images: bool) -> ManipulationEnv:
-        return ManipulationEnv(task_named(self.task), images=images, control=self.control, robot=self.robot)
+        task, worlds = self.conditions.of(task_named(self.task)), self.conditions.world
+        return ManipulationEnv(task, images=images, control=self.control, robot=self.robot, worlds=worlds)
 
     @property
     def about(self) -> dict[str, Any]:
         robot = self.robot or task_named(self.task).problem(self.seed).scene.robot
-        return {"task": self.task, "control": self.control, "robot": robot.name}
+        about = {"task": self.task, "control": self.control, "robot": robot.name}
+        return {**about, **({"conditions": asdict(self.conditions)} if self.conditions.said else {})}

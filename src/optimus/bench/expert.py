@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -25,6 +26,7 @@ def bench_expert(config: BenchConfig, progress: Progress) -> dict[str, Any]:
         **config.about,
         "seed": config.seed,
         **summary_of(attempts),
+        **({"mishaps": sum(a.info["mishap_at"] is not None for a in attempts)} if config.conditions.perturb else {}),
         **({"invalid_plans": sum(a.failure.startswith(INVALID) for a in attempts)} if config.check else {}),
         **(planning_shares(config) if config.where else {}),
     }
@@ -43,7 +45,9 @@ def summary_of(attempts: list[Attempt]) -> dict[str, Any]:
 
 
 def _attempt(config: BenchConfig, seed: int) -> Attempt:
-    return demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check))
+    mishap = config.conditions.mishap(seed)
+    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), watch=mishap)
+    return replace(attempt, info={**attempt.info, "mishap_at": mishap.at})
 
 
 def _counts(attempts: list[Attempt]) -> dict[str, Any]:

@@ -20,13 +20,14 @@ from optimus.cli.output import QUIET
 from optimus.cli.pages import report
 from optimus.cli.policies import evaluate, export_policy, train
 from optimus.cli.rendering import render
+from optimus.cli.reproduction import reproduce
 from optimus.cli.scenes import show, tasks
 from optimus.errors import OptimusError, UnknownNameError
 
 _SEEING = (tasks, objects, show, view)
 _DATA = (collect, render, curate, imitability, dataset, export, import_)
 _LEARNING = (train, evaluate, export_policy, run, report)
-VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA, *_LEARNING, bench, doctor)}
+VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA, *_LEARNING, bench, reproduce, doctor)}
 
 DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
 

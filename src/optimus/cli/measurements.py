@@ -6,7 +6,19 @@ from typing import Annotated, Any, Literal
 
 from tyro.conf import Positional, arg
 
-from optimus.cli.options import ControlName, FirstSeed, Json, ObjectsName, PresetName, RobotName, Workers, chosen_robot
+from optimus.cli.options import (
+    ControlName,
+    FirstSeed,
+    Friction,
+    Json,
+    Mass,
+    ObjectsName,
+    PerturbName,
+    PresetName,
+    RobotName,
+    Workers,
+    chosen_robot,
+)
 from optimus.cli.output import bar, counter, say, table
 from optimus.errors import OptimusError
 
@@ -29,6 +41,9 @@ def bench(
     control: ControlName = "osc",
     robot: RobotName = None,
     objects: ObjectsName = None,
+    perturb: PerturbName = None,
+    friction: Friction = 1.0,
+    mass: Mass = 1.0,
     json: Json = False,
 ) -> None:
     """Measure: the expert's success and planning time, collection, reading for training, one environment step, one action, one
@@ -37,6 +52,7 @@ def bench(
     Try:
         optimus bench expert stack --episodes 100 --seed 1000 --control joint --json
         optimus bench expert microwave-adapt --episodes 10 --workers 2 --where
+        optimus bench expert stack --episodes 50 --perturb push
         optimus bench collect stack --episodes 40 --workers 2 --json
         optimus bench read stack --episodes 500
         optimus bench step --preset optimus-30m --json
@@ -51,11 +67,14 @@ def bench(
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
     """
     from optimus.bench import BENCHES, BenchConfig
+    from optimus.conditions import Conditions
     from optimus.tasks import with_objects
 
-    for name, asked in (("check", check), ("where", where)):
+    conditions = Conditions(perturb, friction, mass)
+    unusual = conditions != Conditions()
+    for name, asked in (("check", check), ("where", where), ("perturb, --friction and --mass", unusual)):
         if asked and what != "expert":
-            raise OptimusError(f"--{name} is for plans: it goes with `bench expert` alone")
+            raise OptimusError(f"--{name}: this goes with `bench expert` alone")
     if preset is not None:
         if task is not None:
             raise OptimusError(f"--preset {preset} is measured on made-up data; leave out {task}")
@@ -64,7 +83,8 @@ def bench(
     if task is None:
         raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        config = BenchConfig(with_objects(task, objects), episodes, seed, workers, control, chosen_robot(robot), check, where)
+        named = with_objects(task, objects)
+        config = BenchConfig(named, episodes, seed, workers, control, chosen_robot(robot), check, where, conditions)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))
 

@@ -9,8 +9,21 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import arg
 
-from optimus.cli.options import Datasets, Json, ObjectsName, PresetName, RobotName, RunFolder, Workers, chosen_robot
+from optimus.cli.options import (
+    Datasets,
+    Friction,
+    Json,
+    Mass,
+    ObjectsName,
+    PerturbName,
+    PresetName,
+    RobotName,
+    RunFolder,
+    Workers,
+    chosen_robot,
+)
 from optimus.cli.output import StageBars, bar, counter, rate, say
+from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -193,6 +206,8 @@ def evaluate(
     dataset: Path | None = None,
     episodes: Episodes = 50,
     states: Literal["validation", "random"] = "validation",
+    repeats: int = 1,
+    checkpoint: Literal["last", "best", "both"] = "last",
     seed: int = 0,
     workers: Workers = 0,
     component: Literal["sampled", "likeliest", "paper"] = "sampled",
@@ -200,37 +215,55 @@ def evaluate(
     videos: Path | None = None,
     robot: RobotName = None,
     objects: ObjectsName = None,
+    perturb: PerturbName = None,
+    friction: Friction = 1.0,
+    mass: Mass = 1.0,
+    horizon: int | None = None,
     json: Json = False,
 ) -> None:
-    """Measure a policy's success: k of n, with its 95 % interval and the causes of failure.
+    """Measure a policy's success: k of n, with its 95 % interval and the causes of failure. Every outcome is written to the run's
+    folder, as JSON and as JSON lines.
 
     Try:
-        optimus evaluate runs/stack --dataset data/stack --episodes 50
+        optimus evaluate runs/stack --dataset data/stack --episodes 50 --repeats 3 --checkpoint both
         optimus evaluate runs/stack --states random --videos films
+        optimus evaluate runs/stack --states random --perturb push --friction 0.7
         optimus evaluate runs/pick-place --states random --objects unseen
 
     Args:
         dataset: whose validation states to start from; needed for --states validation
         states: start from the validation demonstrations' states, or from fresh random ones
+        repeats: play this often from each of them, the policy drawing anew
+        checkpoint: the last one, the one of the lowest held-out error, or both, one after the other
         seed: of the policy's draws, and of random states
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
         videos: write short films of successes and failures to this folder
+        horizon: most steps of an episode, where that is fewer than the task's own
     """
     from optimus import evaluate as evaluation
-    from optimus.data.atomic import write_json
-    from optimus.learn import checkpoint
+    from optimus.conditions import Conditions
+    from optimus.filming import film_outcomes
+    from optimus.learn import checkpoint as checkpoints
     from optimus.learn.card import write_card
 
-    trained_for = checkpoint.load(run, task).inputs.task
-    arm = evaluation.trained_robot(run, chosen_robot(robot))
-    starts = _starts(run, states, dataset, episodes, seed, objects, task)
-    with bar(episodes, f"evaluate {trained_for}", "episode") as shown:
-        report = evaluation.evaluate(run, starts, states, seed, workers, component, counter(shown), arm).as_dict()
-    write_json(run / f"evaluation-{states}.json", report)
-    write_card(run)
-    if videos is not None:
-        evaluation.film_outcomes(run, starts, report, seed, component, videos, arm)
-    say({"run": str(run), **report}, json, f"{rate(report)}; failures: {report['failures']}")
+    if repeats < 1:
+        raise CheckpointError(f"--repeats {repeats} is not positive")
+    conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
+    results: dict[str, Any] = {}
+    for which in ("last", "best") if checkpoint == "both" else (checkpoint,):
+        folder = evaluation.policy_folder(run, which)
+        trained_for = checkpoints.load(folder, task).inputs.task
+        starts = _starts(folder, states, dataset, episodes, seed, objects, task) * repeats
+        with bar(len(starts), f"evaluate {trained_for} ({which})", "episode") as shown:
+            report = evaluation.evaluate(folder, starts, states, seed, workers, component, counter(shown), arm, conditions)
+        report.write(folder)
+        write_card(folder)
+        results[which] = report.as_dict()
+        if videos is not None:
+            film_outcomes(folder, starts, results[which], seed, component, videos, arm, conditions=conditions)
+    text = "\n".join(f"{which}: {rate(r)}; failures: {r['failures']}" for which, r in results.items())
+    said = results if checkpoint == "both" else results[checkpoint]
+    say({"run": str(run), **said}, json, text if checkpoint == "both" else text.partition(": ")[2])
 
 
 def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
@@ -252,7 +285,6 @@ def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
 def _starts(
     run: Path, states: str, dataset: Path | None, episodes: int, seed: int, objects: str | None, task: str | None
 ) -> list[Start]:
-    from optimus.errors import CheckpointError
     from optimus.evaluate import random_starts, require_same_problems, validation_starts
 
     if states == "random":

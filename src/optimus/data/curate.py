@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from optimus.data.atomic import write_json
-from optimus.data.episode import VIEWS
+from optimus.data.episode import RECEPTACLE, VIEWS
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.frustum import in_view
 from optimus.data.store import EpisodeStore
@@ -90,7 +90,7 @@ def curate(path: Path | str, config: CurationConfig | None = None) -> Curation:
             f"{store.path}: {len(kept)} of {len(headers)} episodes left ({causes}), at least 2 are needed; "
             "collect more or curate less strictly"
         )
-    train, validation = _split(kept, config)
+    train, validation = _split({h.seed: _kind(h) for h in headers if h.seed in set(kept)}, config)
     dropped = {seed: broken[0] for seed, broken in reasons.items() if broken}
     counts = {rule: sum(rule in broken for broken in reasons.values()) for rule in RULES}
     curation = Curation(train, validation, dropped, json.loads(json.dumps(asdict(config))), counts)
@@ -174,10 +174,19 @@ def _tracking_error(header: EpisodeHeader) -> float:
     return float(error["median"])
 
 
-def _split(kept: list[int], config: CurationConfig) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Training and validation ids: at least one of each."""
+def _kind(header: EpisodeHeader) -> int | str:
+    """What an episode is held out with: all those with furniture of the same size, or itself alone."""
+    return header.info.get(RECEPTACLE, header.seed)
+
+
+def _split(kept: dict[int, int | str], config: CurationConfig) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Training and validation ids, of the ids with their kinds: at least one of each, and no kind in both."""
     wanted = min(config.validation_episodes, len(kept) // 5)
     count = min(max(1, round(len(kept) * config.validation_share), wanted), len(kept) - 1)
-    held_out = np.random.default_rng(config.seed).choice(sorted(kept), size=count, replace=False)
-    validation = tuple(sorted(int(seed) for seed in held_out))
-    return tuple(seed for seed in sorted(kept) if seed not in set(validation)), validation
+    drawn = np.random.default_rng(config.seed).choice(sorted(kept), size=count, replace=False)
+    kinds = {kept[int(seed)] for seed in drawn}
+    validation = tuple(seed for seed in sorted(kept) if kept[seed] in kinds)
+    train = tuple(seed for seed in sorted(kept) if kept[seed] not in kinds)
+    if not train:
+        raise DatasetError("every size of the furniture is held out, none is left to train on; collect more")
+    return train, validation

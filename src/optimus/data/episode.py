@@ -15,6 +15,8 @@ OSC = "osc"
 """The way of control where none is recorded."""
 
 BINARY, CONTINUOUS = "binary", "continuous"
+RECEPTACLE = "receptacle"
+"""In `Episode.info`: the sizes of the furniture, where they are drawn."""
 """What an action tells the gripper: to open or to shut, by its sign, which is meant where nothing is recorded; or where to be, from
 -1 open to 1 shut and pressing (the gripper aims beyond where its fingers meet)."""
 

@@ -26,7 +26,8 @@ class PolicyAgent:
 
     `component` says which mean of the mixture is the answer: one `sampled` by a sharpened weight, or that of the `likeliest`, which
     may freeze where the demonstrations stood still. The gripper is a decision, and one wrong step of it drops what is held: it goes
-    by the majority of the weight. `paper` samples by the plain weight, and the gripper with the rest.
+    by the majority of the weight. `paper` samples by the plain weight, and the gripper with the rest. `continuous` samples like
+    `sampled` and leaves the gripper as it comes, for policies that were taught where the fingers are to be.
 
     `compiled` has PyTorch compile the network first, which takes a minute: for long use.
     """

@@ -108,7 +108,8 @@ def draw(sizes: bool, adapt: bool, objects: Objects, rng: np.random.Generator) -
         poses["obstacle"] = Pose.of((x, y, OBSTACLE.half_extents[2]), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
     goal = frozenset({On("object", "microwave"), Released("object")})
     name = variant if not adapt else "door blocked" if blocked else "door free"
-    return Problem(scene_of(objects[variant], size, adapt), poses, goal, name)
+    drawn = f"{size.width:.2f} x {size.depth:.2f} x {size.height:.2f} m" if sizes else ""
+    return Problem(scene_of(objects[variant], size, adapt), poses, goal, name, drawn)
 
 
 EYE = (-0.75, -1.0, 0.65)

@@ -65,6 +65,7 @@ def draw(sizes: bool, objects: Objects, rng: np.random.Generator) -> Problem:
     width, depth, height = (rng.uniform(*r) for r in (WIDTHS, DEPTHS, HEIGHTS)) if sizes else (WIDTH, DEPTH, HEIGHT)
     # whole centimetres: as many shelves as that still are, not one compiled model for every problem there is
     width, depth, height = (round(v, 2) for v in (width, depth, height))
+    size = f"{width:.2f} x {depth:.2f} x {height:.2f} m" if sizes else ""
     shape = objects[variant]
     scene = scene_of(shape, width, depth, height)
     inset = footprint(shape) + EDGE
@@ -74,7 +75,7 @@ def draw(sizes: bool, objects: Objects, rng: np.random.Generator) -> Problem:
         y = rng.uniform(-1, 1) * (width / 2 - inset)
     z = scene.fixture_poses["lower"].pos[2] + BOARD / 2 + shape.half_extents[2]
     pose = Pose.of((x, y, z), (0.0, 0.0, rng.uniform(-np.pi, np.pi)))
-    return Problem(scene, {"object": pose}, frozenset({On("object", "middle"), Released("object")}), variant)
+    return Problem(scene, {"object": pose}, frozenset({On("object", "middle"), Released("object")}), variant, size)
 
 
 EYE = (-0.75, -1.0, 0.55)

@@ -14,7 +14,8 @@ from torch import Tensor, nn
 
 from optimus.data.episode import GRIPPER
 
-Component = Literal["sampled", "likeliest", "paper"]
+Component = Literal["sampled", "likeliest", "paper", "continuous"]
+"""Which of its means a mixture answers with, see `PolicyAgent`."""
 
 SHARPNESS = 4.0
 """Where two components mean two ways to the same end, drawing evenly between them at every step leads neither way; always taking
@@ -76,9 +77,11 @@ class Mixture:
         return self._means_of(chosen.reshape(weights.shape[:-1]))
 
     def answer(self, component: Component, noise: torch.Generator) -> Tensor:
-        """The action `(..., n)` that is carried out, its gripper -1 or 1."""
+        """The action `(..., n)` that is carried out, its gripper -1 or 1, or as it comes if `continuous`."""
         sharpness = 1.0 if component == "paper" else SHARPNESS
         mean = self.likeliest() if component == "likeliest" else self.sampled(noise, sharpness)
+        if component == "continuous":
+            return mean
         shut = mean[..., GRIPPER] > 0 if component == "paper" else self.shut()
         return torch.cat([mean[..., :GRIPPER], torch.where(shut, 1.0, -1.0)[..., None]], -1)
 

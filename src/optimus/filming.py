@@ -1,0 +1,65 @@
+"""Short films of what an evaluation found: of successes, and of failures of every cause."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from optimus.conditions import USUAL, Conditions
+from optimus.data.atomic import write_whole
+from optimus.evaluate import Start, play
+from optimus.learn.heads import Component
+from optimus.robots import Robot
+from optimus.show import Film, png
+
+
+@dataclass(frozen=True)
+class FilmedEpisode:
+    """An episode to look at."""
+
+    caption: str
+    video: Path
+    strip: Path
+    success: bool
+    cause: str = ""
+
+
+def film_outcomes(
+    run: Path,
+    starts: Sequence[Start],
+    report: dict[str, Any],
+    seed: int,
+    component: Component,
+    folder: Path,
+    robot: Robot | None = None,
+    each: int = 3,
+    conditions: Conditions = USUAL,
+) -> list[FilmedEpisode]:
+    """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
+    are functions of their seeds."""
+    films = []
+    for success in (True, False):
+        for i in worth_filming(report["outcomes"], success, each):
+            outcome, film = report["outcomes"][i], Film()
+            play(run, starts[i], seed + i, component, film, robot, conditions)
+            path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
+            film.write(path)
+            write_whole(path.with_suffix(".png"), png(film.strip()))
+            named = f"seed {outcome['seed']} {outcome['variant']}".strip()
+            caption = f"{named}: {'success' if success else outcome['cause']}"
+            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success, outcome["cause"]))
+    return films
+
+
+def worth_filming(outcomes: Sequence[dict[str, Any]], success: bool, each: int) -> list[int]:
+    """Indices of `each` outcomes; of failures one of every cause first, however many causes there are."""
+    seen: Counter[str] = Counter()
+    ranked = []
+    for i, outcome in enumerate(outcomes):
+        if outcome["success"] is success:
+            ranked.append((seen[outcome["cause"]], i))
+            seen[outcome["cause"]] += 1
+    return [i for _, i in sorted(ranked)[: max(each, len(seen))]]

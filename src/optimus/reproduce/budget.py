@@ -1,0 +1,88 @@
+"""How much a reproduction may cost: the same rows, with fewer demonstrations, smaller networks and fewer trials."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from optimus.errors import UnknownNameError
+from optimus.learn.presets import preset
+from optimus.learn.recipe import Device, TrainConfig, recipe
+
+PAPERS: dict[str, str] = {"OPTIMUS": "optimus-30m", "BC-MLP": "bc-mlp", "BC-RNN": "bc-rnn", "BeT": "bet"}
+SMALL: dict[str, str] = {"OPTIMUS": "quick", "BC-MLP": "quick-mlp", "BC-RNN": "quick-rnn", "BeT": "quick-bet"}
+METHODS = tuple(PAPERS)
+"""As the paper names them."""
+
+
+@dataclass(frozen=True)
+class Budget:
+    """What each row may use."""
+
+    name: str
+    demonstrations: int
+    """In a dataset."""
+    presets: Mapping[str, str] = field(default_factory=lambda: SMALL)
+    """Method -> the network that stands for it."""
+    steps: int | None = None
+    """Gradient steps of a policy; if none, `minutes` decides."""
+    minutes: float = 10.0
+    batch: int | None = None
+    """Runs of windows in a step; the recipe's own if none."""
+    held_out_runs: int = 256
+    episodes: int = 50
+    """Trials of a policy under each condition, for every seed that it was trained with."""
+    seeds: int = 1
+    """Policies trained, each from another seed."""
+    expert_episodes: int = 150
+    """50 trials, three times."""
+    timing_episodes: int = 20
+    """Of the expert, on each task."""
+    timing_rounds: int = 5
+    """Ten times as many actions of each network are timed."""
+    horizon: int | None = None
+    """Most steps of a policy's trial, where that is fewer than the task's own."""
+    device: Device = "auto"
+
+    def training(self, network: str, seed: int) -> TrainConfig:
+        """How the preset `network` is trained: by its own recipe, whose rate anneals over the steps that there are."""
+        base = recipe(preset(network).recipe)
+        return replace(
+            base,
+            steps=self.steps,
+            minutes=self.minutes,
+            seed=seed,
+            rate=replace(base.rate, over=None),
+            loss=base.loss if self.batch is None else replace(base.loss, runs=self.batch),
+            evaluations=min(base.evaluations, self.steps or 10),
+            held_out_runs=self.held_out_runs,
+            device=self.device,
+        )
+
+
+_SMOKE = Budget(
+    "smoke",
+    demonstrations=4,
+    steps=2,
+    batch=2,
+    held_out_runs=4,
+    episodes=2,
+    expert_episodes=2,
+    timing_episodes=1,
+    timing_rounds=1,
+    horizon=12,
+    device="cpu",
+)
+BUDGETS: dict[str, Budget] = {
+    "smoke": _SMOKE,
+    "cpu": Budget("cpu", demonstrations=300, minutes=12.0, device="cpu"),
+    "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, minutes=16.0, batch=64, device="cuda"),
+}
+"""`smoke`: minutes, to prove the path; `cpu`: two cores overnight; `gpu`: one large GPU within half an hour a row."""
+
+
+def budget(name: str) -> Budget:
+    """The budget of that name; `UnknownNameError` lists the others."""
+    if name not in BUDGETS:
+        raise UnknownNameError("budget", name, BUDGETS)
+    return BUDGETS[name]

@@ -1,0 +1,66 @@
+"""Fills a table cell by cell: what is done is not done again, and the table is written after every cell."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from optimus.data.atomic import make_folder, write_json
+from optimus.errors import UnknownNameError
+from optimus.reproduce.site import Site, slug
+from optimus.reproduce.tables import TABLES, Cell, Table
+from optimus.reproduce.write import write_table
+
+
+def table_named(name: str) -> Table:
+    """The table of that name; `UnknownNameError` lists the others."""
+    if name not in TABLES:
+        raise UnknownNameError("table", name, TABLES)
+    return TABLES[name]
+
+
+def reproduce(site: Site) -> dict[str, Any]:
+    """Fill the table of `site`, from wherever an earlier call was stopped. Returns what `OUT/results.json` then says."""
+    table = table_named(site.table)
+    site.open()
+    make_folder(site.out / "cells")
+    results: list[dict[str, Any]] = []
+    for i, cell in enumerate(table.cells):
+        site.progress("cells", i, len(table.cells), {"next": cell.name})
+        results.append(_filled(site, table, cell))
+        _write(site, table, results)
+    site.progress("cells", len(table.cells), len(table.cells), {})
+    return json.loads((site.out / "results.json").read_text())
+
+
+def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
+    """The cell, with its measurements."""
+    path = site.out / "cells" / f"{slug(cell.name)}.json"
+    if path.exists():
+        return json.loads(path.read_text())
+    before = site.hours
+    measured = cell.work.do(site)
+    result = {
+        "row": cell.row,
+        "column": cell.column,
+        "paper": table.papers.get(cell.row, {}).get(cell.column),
+        "measured": measured,
+        "commands": cell.work.commands(site),
+        "hours": site.hours - before,
+    }
+    write_json(path, result)
+    return result
+
+
+def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
+    found = {
+        "table": table.name,
+        "title": table.title,
+        "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed} --out DIR",
+        **site.record,
+        "hours": site.hours,
+        "complete": len(results) == len(table.cells),
+        "cells": results,
+    }
+    write_json(site.out / "results.json", found)
+    write_table(site.out, found)

@@ -1,0 +1,90 @@
+"""Where a reproduction puts things, and what it remembers: folders, seconds, versions."""
+
+from __future__ import annotations
+
+import json
+import platform
+import re
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import torch
+
+from optimus.data.atomic import make_folder, write_json
+from optimus.data.store import installed_versions
+from optimus.errors import DatasetError
+from optimus.reproduce.budget import Budget
+
+StageProgress = Callable[[str, int, int, dict[str, str]], None]
+"""`(stage, done, total, notes)`"""
+
+
+def slug(text: str) -> str:
+    """A name for a file or folder."""
+    return re.sub(r"[^a-z0-9@.=+]+", "-", text.lower()).strip("-")
+
+
+@dataclass(eq=False)
+class Site:
+    """The folder of one table under one budget.
+
+    OUT/reproduce.json   what was asked for, versions, seconds by stage over all sessions
+    OUT/data/, OUT/policies/, OUT/cells/   datasets, training runs, and one file a measurement that is done
+    """
+
+    table: str
+    out: Path
+    budget: Budget
+    seed: int = 0
+    workers: int = 0
+    progress: StageProgress = lambda *_: None
+    record: dict[str, Any] = field(default_factory=dict)
+
+    def open(self) -> None:
+        """Make the folder, or go on in it; `DatasetError` if it was begun with something else."""
+        path = self.out / "reproduce.json"
+        asked = {"table": self.table, "budget": json.loads(json.dumps(asdict(self.budget))), "seed": self.seed}
+        if path.exists():
+            self.record = json.loads(path.read_text())
+            for key, wanted in asked.items():
+                if self.record["asked"].get(key) != wanted:
+                    have = self.record["asked"].get(key)
+                    raise DatasetError(f"{self.out} was begun with {key} = {have!r}, not {wanted!r}; name another folder")
+            return
+        make_folder(self.out)
+        self.record = {"asked": asked, "versions": versions(), "machine": machine(), "seconds": {}}
+        write_json(path, self.record)
+
+    @contextmanager
+    def timed(self, stage: str) -> Iterator[None]:
+        """Adds the time that the block takes to that of the stage, also when it is interrupted."""
+        began = time.perf_counter()
+        try:
+            yield
+        finally:
+            seconds = self.record["seconds"]
+            seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - began
+            write_json(self.out / "reproduce.json", self.record)
+
+    @property
+    def hours(self) -> float:
+        """All sessions together."""
+        return sum(self.record["seconds"].values()) / 3600
+
+
+def versions() -> dict[str, str]:
+    """Of what decides about figures."""
+    return {**installed_versions(), "torch": torch.__version__, "mujoco": mujoco.__version__}
+
+
+def machine() -> dict[str, Any]:
+    """What it was measured on."""
+    told = Path("/proc/cpuinfo")
+    names = re.findall(r"model name\s*:\s*(.+)", told.read_text()) if told.exists() else []
+    gpu = torch.cuda.get_device_name() if torch.cuda.is_available() else None
+    return {"processor": names[0] if names else platform.machine(), "cores": len(names) or None, "gpu": gpu}

@@ -1,0 +1,92 @@
+"""Pushed, slipped, slippery and heavy: against mechanics, and against episodes in which nothing happens."""
+
+import numpy as np
+import pytest
+
+from optimus.conditions import PUSH_SPEED, SLIP_STEPS, USUAL, Conditions, Mishap
+from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
+from optimus.env import ManipulationEnv
+from optimus.errors import OptimusError, UnknownNameError
+from optimus.tasks import task
+
+GRAVITY = 9.81
+
+
+def played(seed: int, conditions: Conditions) -> tuple[Attempt, Mishap, list[np.ndarray], list[np.ndarray]]:
+    """The expert at `stack`: its attempt, the mishap, and positions and velocities of the blocks before every step."""
+    env = ManipulationEnv(conditions.of(task("stack")), images=False, worlds=conditions.world)
+    mishap, places, speeds = conditions.mishap(seed), [], []
+
+    def watch(env: ManipulationEnv) -> None:
+        mishap(env)
+        places.append(env.object_positions())
+        speeds.append(np.array([env.data.qvel[at : at + 3].copy() for at in env.world.movable_dof.values()]))
+
+    return demonstrate(env, seed, ExpertConfig(), watch=watch), mishap, places, speeds
+
+
+def test_under_usual_conditions_nothing_happens() -> None:
+    plain = demonstrate(ManipulationEnv(task("stack"), images=False), 3, ExpertConfig())
+    watched, mishap, _, _ = played(3, USUAL)
+    assert mishap.at is None and plain.episode is not None and watched.episode is not None
+    np.testing.assert_array_equal(plain.episode.states, watched.episode.states)
+
+
+def test_a_push_gives_one_free_thing_its_impulse_once() -> None:
+    _, mishap, places, speeds = played(3, Conditions("push"))
+    assert mishap.at is not None
+    gained = speeds[mishap.at] - speeds[mishap.at - 1]
+    struck = np.linalg.norm(gained, axis=1) > 0.1
+    assert struck.sum() == 1
+    np.testing.assert_allclose(np.linalg.norm(gained[struck]), PUSH_SPEED, rtol=0.02)
+    np.testing.assert_allclose(gained[struck][0, 2], 0.0, atol=0.01)
+    moved = np.linalg.norm(places[mishap.at + 10] - places[mishap.at], axis=1)
+    assert moved[struck] > 0.005 and moved[~struck] < 0.002
+
+
+def test_what_slips_falls_freely_and_the_expert_takes_it_again() -> None:
+    attempt, mishap, places, _ = played(3, Conditions("slip"))
+    assert mishap.at is not None
+    before, after = places[mishap.at][:, 2], places[mishap.at + SLIP_STEPS][:, 2]
+    fallen = float((before - after).max())
+    assert 0.01 < fallen <= 0.5 * GRAVITY * (SLIP_STEPS / 20) ** 2 + 0.002
+    assert attempt.retries
+
+
+def test_the_same_seed_has_the_same_mishap() -> None:
+    assert played(5, Conditions("push"))[1].at == played(5, Conditions("push"))[1].at
+
+
+def slid(conditions: Conditions, speed: float) -> float:
+    """How far the large block of `stack` slides on the table [m]."""
+    env = ManipulationEnv(task("stack"), images=False, worlds=conditions.world)
+    env.reset(seed=0)
+    began, at = env.object_positions()[1], env.world.movable_dof["cubeB"]
+    env.data.qvel[at + 1] = speed
+    for _ in range(20):
+        env.step(np.array([0, 0, 0, 0, 0, 0, -1], np.float32))
+    return float(np.linalg.norm(env.object_positions()[1] - began))
+
+
+def test_friction_stops_a_sliding_block_as_coulomb_says() -> None:
+    for friction in (1.0, 0.5):
+        expected = 0.5**2 / (2 * friction * GRAVITY)
+        assert slid(Conditions(friction=friction), 0.5) == pytest.approx(expected, rel=0.25)
+
+
+def test_mass_is_scaled_and_nothing_else() -> None:
+    usual, heavy = (ManipulationEnv(task("stack"), images=False, worlds=c.world).world for c in (USUAL, Conditions(mass=3.0)))
+    ratio = heavy.model.body_mass / np.maximum(usual.model.body_mass, 1e-12)
+    movable = [usual.body_ids[n] for n in usual.scene.movable_names]
+    np.testing.assert_allclose(ratio[movable], 3.0)
+    rest = np.setdiff1d(np.flatnonzero(usual.model.body_mass), movable)
+    np.testing.assert_allclose(ratio[rest], 1.0)
+    np.testing.assert_allclose(heavy.model.body_subtreemass[movable], 3.0 * usual.model.body_subtreemass[movable])
+
+
+def test_what_makes_no_sense_is_refused() -> None:
+    with pytest.raises(UnknownNameError, match=r"push, slip"):
+        Conditions("shove")  # type: ignore[arg-type]
+    for wrong in ({"friction": 0.0}, {"mass": float("nan")}, {"horizon": 0}):
+        with pytest.raises(OptimusError):
+            Conditions(**wrong)

@@ -1,0 +1,75 @@
+"""What is held out is held out: no initial state, no size of a receptacle and no object of the validation occurs in training."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from optimus.assets.catalogue import ObjectSet, keys_of
+from optimus.collect import CollectConfig, collect
+from optimus.data.curate import CurationConfig, curate
+from optimus.data.episode import RECEPTACLE
+from optimus.data.store import EpisodeStore
+from optimus.evaluate import RANDOM_SEEDS_FROM, random_starts, validation_starts
+from optimus.reproduce.work import EXPERT_SEED
+from optimus.run import CORRECTION_SEEDS_FROM
+from optimus.task import pick_one
+from optimus.tasks import task
+from synthetic import CAMERAS, make_episode
+
+SIZED = ("shelf-receptacle", "microwave-receptacle")
+
+
+def furniture(name: str, seed: int) -> tuple[bytes, ...]:
+    """The receptacle of a problem, by the geometry that physics has: every fixture's place and parts."""
+    fixtures = task(name).problem(seed).scene.fixtures
+    return tuple(repr((f.name, f.pos, f.shape)).encode() for f in fixtures)
+
+
+@pytest.mark.parametrize("name", SIZED)
+def test_a_receptacle_is_named_by_its_geometry(name: str) -> None:
+    by_name: dict[str, set[tuple[bytes, ...]]] = {}
+    for seed in range(150):
+        by_name.setdefault(task(name).problem(seed).receptacle, set()).add(furniture(name, seed))
+    assert "" not in by_name and all(len(shapes) == 1 for shapes in by_name.values())
+    assert len({s for shapes in by_name.values() for s in shapes}) == len(by_name)
+
+
+@pytest.mark.parametrize("name", SIZED)
+def test_no_size_is_on_both_sides(name: str, tmp_path: Path) -> None:
+    """Over enough problems that sizes do come twice: a split by episodes would have some on both sides."""
+    store = EpisodeStore.create(tmp_path, name, CAMERAS, {})
+    seeds = range(400)
+    sizes = {seed: task(name).problem(seed).receptacle for seed in seeds}
+    twice = [seed for seed in seeds if list(sizes.values()).count(sizes[seed]) > 1]
+    for seed in [*twice, *[s for s in seeds if s not in set(twice)][:30]]:
+        store.write(make_episode(seed, steps=3, task=name, info={RECEPTACLE: sizes[seed]}))
+    found = curate(tmp_path, CurationConfig(validation_share=0.3))
+    train, held_out = ({furniture(name, s) for s in side} for side in (found.train, found.validation))
+    assert train and held_out and not train & held_out
+    assert {*found.train, *found.validation} == set(store.seeds) - set(found.dropped)
+
+
+def test_collected_episodes_tell_their_receptacle_and_no_start_is_in_both(tmp_path: Path) -> None:
+    collect(CollectConfig("shelf-receptacle", tmp_path, 6, workers=1, images=False))
+    found = curate(tmp_path)
+    store = EpisodeStore.open(tmp_path)
+    assert all(store.header(s).info[RECEPTACLE] == task("shelf-receptacle").problem(s).receptacle for s in store.seeds)
+    train = [store.read(s).initial_state for s in found.train]
+    for start in validation_starts(tmp_path, 10):
+        assert start.state is not None and start.seed in found.validation
+        assert not any(np.array_equal(start.state, other) for other in train if len(other) == len(start.state))
+
+
+def test_unseen_objects_are_none_of_those_trained_with() -> None:
+    trained, unseen = ObjectSet("19"), ObjectSet("unseen")
+    assert not set(trained) & set(unseen) and set(trained) | set(unseen) == set(keys_of("72"))
+    drawn = {pick_one(unseen, np.random.default_rng([s.seed, 0x0971])) for s in random_starts(300, objects="unseen")}
+    assert len(drawn) > 40 and not drawn & set(trained)
+    assert not set(task("pick-place@").draw.args[0]) & set(keys_of("72"))  # type: ignore[attr-defined]
+
+
+def test_seeds_of_demonstrations_corrections_and_trials_are_apart() -> None:
+    assert max(10**6, EXPERT_SEED) < CORRECTION_SEEDS_FROM < CORRECTION_SEEDS_FROM + 10**6 < RANDOM_SEEDS_FROM
+    starts = [random_starts(50, seed) for seed in range(3)]
+    assert len({s.seed for some in starts for s in some}) == 150

@@ -1,0 +1,122 @@
+"""The paper's tables: every row is there, what is done is not done again, what is written says what was measured."""
+
+import csv
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from optimus.conditions import Conditions
+from optimus.errors import DatasetError, UnknownNameError
+from optimus.learn import checkpoint
+from optimus.learn.presets import PRESETS
+from optimus.learn.shrink import shrink
+from optimus.reproduce import BUDGETS, TABLES, Site, budget, reproduce
+from optimus.reproduce import engine as engine_module
+from optimus.reproduce.site import slug
+from optimus.reproduce.tables import Cell, Table, papers_figures
+from optimus.reproduce.work import Data, ExpertWork, Lesson, PolicyWork, Trial
+from optimus.statistics import wilson
+from optimus.tasks import TASKS, task
+
+SMALL = Table(
+    "table-b2",
+    "A table of two cells",
+    (
+        Cell("Stack", "TAMP-task", ExpertWork("stack", conditions=(("", Conditions()), ("pushed", Conditions("push"))))),
+        Cell("Stack", "OPTIMUS", PolicyWork(Lesson((Data("stack"),)), (Trial("", "validation"), Trial("best", "random", "best")))),
+    ),
+)
+
+
+def test_every_figure_of_the_paper_has_its_cell() -> None:
+    assert set(papers_figures()) == set(TABLES)
+    for name, table in TABLES.items():
+        there = {(c.row, c.column) for c in table.cells}
+        told = {(row, column) for row, columns in table.papers.items() for column in columns}
+        assert told <= there, f"{name} lacks {told - there}"
+        assert len({slug(c.name) for c in table.cells}) == len(table.cells)
+
+
+def test_what_the_tables_name_exists() -> None:
+    assert all(p in PRESETS for b in BUDGETS.values() for p in b.presets.values())
+    site = Site("table-b1", Path("out"), budget("cpu"))
+    for table in TABLES.values():
+        for cell in table.cells:
+            for command in cell.work.commands(site):
+                verb, first = command.split()[1:3]
+                if verb == "collect":
+                    task(first)
+    with pytest.raises(UnknownNameError, match="smoke"):
+        budget("none")
+
+
+def test_the_issues_tasks_and_methods_are_all_there() -> None:
+    methods = {"OPTIMUS", "BC-MLP", "BC-RNN", "BeT"}
+    for name, count in (("table-b1", 4), ("long-horizon", 6)):
+        assert len(TABLES[name].cells) == 4 * count and {c.column for c in TABLES[name].cells} == methods
+    text = json.dumps([c.work.commands(Site("", Path(), budget("cpu"))) for t in TABLES.values() for c in t.cells])
+    assert all(re.search(rf"\b{name}\b", text) for name in TASKS)
+
+
+def test_views_draw_the_same_problems_before_another_camera() -> None:
+    for name in ("STACK_CLOSE", "STACK_DISTANT"):
+        other, own = task(f"optimus.reproduce.views:{name}").problem(7), task("stack").problem(7)
+        assert other.goal == own.goal and other.scene.movables == own.scene.movables
+        assert all(np.array_equal(other.poses[n].pos, own.poses[n].pos) for n in own.poses)
+        assert other.scene.cameras != own.scene.cameras
+
+
+def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(TABLES, "table-b2", SMALL)
+    tiny = replace(budget("smoke"), episodes=1, expert_episodes=1, demonstrations=2)
+
+    def stop(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
+        if stage.startswith("evaluate"):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=stop))
+    unfinished = json.loads((tmp_path / "results.json").read_text())
+    assert not unfinished["complete"] and "Not finished" in (tmp_path / "table.md").read_text()
+    done = {p: p.stat().st_mtime_ns for p in (*tmp_path.rglob("*.safetensors"), *(tmp_path / "cells").iterdir())}
+    stages: list[str] = []
+    found = reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=lambda stage, *_: stages.append(stage)))
+    assert {p: p.stat().st_mtime_ns for p in done} == done
+    assert not [s for s in stages if s.startswith(("expert", "train", "collect"))]
+    assert found["complete"] and found["hours"] > unfinished["hours"] > 0
+    _check_written(tmp_path, found)
+    with pytest.raises(DatasetError, match="budget"):
+        reproduce(Site("table-b2", tmp_path, budget("cpu")))
+
+
+def _check_written(out: Path, found: dict[str, object]) -> None:
+    cells = json.loads((out / "results.json").read_text())["cells"]
+    assert cells == found["cells"] and [c["row"] for c in cells] == ["Stack", "Stack"]
+    measured = [m for cell in cells for m in cell["measured"].values()]
+    assert len(measured) == 4 and all(m["interval"] == list(wilson(m["successes"], m["episodes"])) for m in measured)
+    run = out / "policies" / "stack-optimus" / "seed-0"
+    outcomes = [json.loads(line) for line in next(run.glob("evaluation-validation*.jsonl")).read_text().splitlines()]
+    assert sum(o["success"] for o in outcomes) == cells[1]["measured"][""]["successes"] and len(outcomes) == 1
+    rows = list(csv.DictReader((out / "table.csv").open()))
+    assert [int(r["episodes"]) for r in rows] == [m["episodes"] for m in measured]
+    assert "proves the path" in (out / "table.md").read_text()
+    assert imread(out / "plot.png").std() > 0
+
+
+def test_an_unknown_table_is_named(tmp_path: Path) -> None:
+    with pytest.raises(UnknownNameError, match="figure-a1"):
+        engine_module.reproduce(Site("table-z9", tmp_path, budget("smoke")))
+
+
+def test_a_shrunk_policy_is_half_as_large_and_answers_alike(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    shrink(taught[1], tmp_path / "small")
+    large, small = (p / checkpoint.MODEL_FILE for p in (taught[1], tmp_path / "small"))
+    assert small.stat().st_size < 0.6 * large.stat().st_size
+    a, b = (dict(checkpoint.load(p).named_parameters()) for p in (taught[1], tmp_path / "small"))
+    for name, weight in a.items():
+        assert (weight - b[name]).abs().max() <= 2**-8 * weight.abs().max()
