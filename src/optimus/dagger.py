@@ -70,13 +70,14 @@ def dagger(
     lesson: TrainConfig,
     config: DaggerConfig,
     progress: StageProgress = lambda *_: None,
-    network: PolicyConfig | None = None,
+    policy: PolicyConfig | None = None,
 ) -> dict[str, Any]:
     """Train `run` on `dataset`, then the rounds; goes on where it was stopped. Returns the report, JSON-able.
+    `policy` is the network.
 
     A function of `dataset`, `lesson` and `config` where `lesson` is a number of steps, for any number of workers.
     """
-    rounds = _Rounds(dataset, run, lesson, config, progress, network)
+    rounds = _Rounds(dataset, run, lesson, config, policy or PolicyConfig(), progress)
     for number in range(config.rounds + 1):
         rounds.do(number)
     return rounds.report
@@ -89,15 +90,14 @@ class _Rounds:
         run: Path,
         lesson: TrainConfig,
         config: DaggerConfig,
+        network: PolicyConfig,
         progress: StageProgress,
-        network: PolicyConfig | None,
     ) -> None:
-        self.network = network
-        self.dataset, self.run, self.lesson, self.config, self.progress = dataset, run, lesson, config, progress
+        self.dataset, self.run, self.lesson, self.config = dataset, run, lesson, config
+        self.network, self.progress = network, progress
         self.store = EpisodeStore.open(dataset)
-        asked = {"dataset": dataset.name, "task": self.store.task, "train": asdict(lesson), **asdict(config)}
-        if network is not None:
-            asked["policy"] = asdict(network)
+        lessons = {"policy": asdict(network), "train": asdict(lesson)}
+        asked = {"dataset": dataset.name, "task": self.store.task, **lessons, **asdict(config)}
         del asked["rounds"], asked["workers"]  # more rounds may be asked for later, and the outcome depends on no workers
         self.file = run / f"{config.name}.json"
         self.report: dict[str, Any] = {"config": json.loads(json.dumps(asked)), "rounds": []}
@@ -153,6 +153,7 @@ class _Rounds:
             turns,
             control=self.store.control,
             robot=trained_robot(before),
+            images=bool(self.store.cameras),
         )
         stage = f"round {number}: {'demonstrate' if self.config.plain else 'correct'}"
         result = collect(asked, lambda tally: self.progress(stage, tally.successes, wanted, {}))
@@ -179,7 +180,8 @@ class _Rounds:
             self.progress(f"round {number}: train" if number else "train", p.step, p.steps, notes)
 
         more = [self.data(k) for k in range(1, number + 1)]
-        train(self.dataset, self.policy(number), lesson, self.network, report, more, self.policy(number - 1) if number else None)
+        begun = self.policy(number - 1) if number else None
+        train(self.dataset, self.policy(number), lesson, self.network, report, more, begun)
 
     def _evaluate(self, number: int) -> dict[str, Any]:
         starts = validation_starts(self.dataset, self.config.evaluations)

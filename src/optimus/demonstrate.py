@@ -116,8 +116,8 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    watch = ALONE if meddler is None and mishap is None else SHARED
-    expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, watch)
+    vigilance = ALONE if meddler is None and mishap is None else SHARED
+    expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)

@@ -95,7 +95,6 @@ def train(
         dagger_plain: add as many demonstrations by the expert alone instead, for comparison
         dagger_evaluations: episodes in which success is measured before and after each round
     """
-    from optimus.learn.policy import PolicyConfig
     from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
@@ -108,7 +107,7 @@ def train(
     if dagger > 0:
         _require_plain_lesson(datasets, corrections, initial, observe)
         rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
-        _rounds(datasets[0], out, asked.config, rounds, None if chosen.policy == PolicyConfig() else chosen.policy, json)
+        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, json)
         return
     with bar(None, "train", "step", silent=not is_first()) as shown:
         policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
@@ -128,18 +127,13 @@ def _require_plain_lesson(
 
 
 def _rounds(
-    dataset: Path,
-    out: Path,
-    lesson: TrainConfig,
-    rounds: tuple[int, int, bool, int, int],
-    network: PolicyConfig | None,
-    json: bool,
+    dataset: Path, out: Path, lesson: tuple[TrainConfig, PolicyConfig], rounds: tuple[int, int, bool, int, int], json: bool
 ) -> None:
     from optimus.dagger import DaggerConfig, dagger
 
     bars = StageBars()
     try:
-        report = dagger(dataset, out, lesson, DaggerConfig(*rounds), bars, network)
+        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1])
     finally:
         bars.close()
     lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]

@@ -107,7 +107,7 @@ class PolicyTime:
 
     def do(self, site: Site) -> dict[str, Measurement]:
         with site.timed(f"time of {self.preset}"):
-            result = bench_policy_action(self.preset, 10 * site.budget.timing_rounds, site.seed, lambda done, k: None)
+            result = bench_policy_action(self.preset, 10 * site.budget.timing_rounds, site.seed, True, lambda done, k: None)
         shared = {"parameters": result["parameters"], "threads": 1}
         names = {"newest_frame": "", "plain": "whole window", "compiled": "compiled"}
         spent = {names[way]: q for way, q in result["action_ms"].items()}
