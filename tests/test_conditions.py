@@ -22,7 +22,7 @@ def played(seed: int, conditions: Conditions) -> tuple[Attempt, Mishap, list[np.
         places.append(env.object_positions())
         speeds.append(np.array([env.data.qvel[at : at + 3].copy() for at in env.world.movable_dof.values()]))
 
-    return demonstrate(env, seed, ExpertConfig(), watch=watch), mishap, places, speeds
+    return demonstrate(env, seed, ExpertConfig(), mishap=watch), mishap, places, speeds
 
 
 def test_under_usual_conditions_nothing_happens() -> None:
@@ -87,6 +87,6 @@ def test_mass_is_scaled_and_nothing_else() -> None:
 def test_what_makes_no_sense_is_refused() -> None:
     with pytest.raises(UnknownNameError, match=r"push, slip"):
         Conditions("shove")  # type: ignore[arg-type]
-    for wrong in ({"friction": 0.0}, {"mass": float("nan")}, {"horizon": 0}):
+    for wrong in (lambda: Conditions(friction=0.0), lambda: Conditions(mass=float("nan")), lambda: Conditions(horizon=0)):
         with pytest.raises(OptimusError):
-            Conditions(**wrong)
+            wrong()

@@ -99,12 +99,13 @@ def demonstrate(
     seed: int,
     config: ExpertConfig,
     meddler: Callable[[np.random.Generator], Meddler] | None = None,
-    watch: Callable[[ManipulationEnv], None] = lambda env: None,
+    mishap: Callable[[ManipulationEnv], None] | None = None,
 ) -> Attempt:
     """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
 
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
-    `watch`: as for `rollout`.
+    `mishap(env)` is called before every step, and may change the world. With either, the expert looks whether things still are
+    where its plan supposes them.
     """
     observation, info = env.reset(seed=seed)
     planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
@@ -115,7 +116,7 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    vigilance = ALONE if meddler is None else SHARED
+    vigilance = ALONE if meddler is None and mishap is None else SHARED
     expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
@@ -124,7 +125,7 @@ def demonstrate(
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
         return None if pushes is None else pushes.next(seen, label, expert.slack)
 
-    episode = rollout(env, observation, expert, "expert", push, watch)
+    episode = rollout(env, observation, expert, "expert", push, mishap or (lambda env: None))
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
     episode = replace(episode, skeleton=plan.skeleton, info=info)
     return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)

@@ -46,7 +46,8 @@ def summary_of(attempts: list[Attempt]) -> dict[str, Any]:
 
 def _attempt(config: BenchConfig, seed: int) -> Attempt:
     mishap = config.conditions.mishap(seed)
-    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), watch=mishap)
+    happens = mishap if config.conditions.perturb else None
+    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), mishap=happens)
     return replace(attempt, info={**attempt.info, "mishap_at": mishap.at})
 
 
