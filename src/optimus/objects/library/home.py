@@ -73,10 +73,10 @@ def treasure_chest() -> Solid:
 
 
 def milk_carton() -> Solid:
-    roof = hull(move(box(60, 60, 4, 1), z=84), move(box(60, 9, 4, 1), z=112))
+    roof = hull(move(box(60, 60, 4, 1), z=84), move(box(60, 8, 4, 1), z=112))
     spout = turn(cylinder(11, 12), x=45).translate((0, -18, 98))
-    # 9 mm: fingers that meet on less than that chatter, and what they hold creeps out
-    return box(60, 60, 88, 1.5) + roof + move(box(60, 9, 20, 1), z=112) + spout
+    # 8 mm: fingers that meet on less than that chatter, and what they hold creeps out
+    return box(60, 60, 88, 1.5) + roof + move(box(60, 8, 20, 1), z=112) + spout
 
 
 def closed_book() -> Solid:
