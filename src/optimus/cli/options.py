@@ -44,8 +44,8 @@ PerturbName = Annotated[
     Literal["push", "slip"] | None,
     arg(help="once an episode, unforeseen: a thing that is not held is struck, or what is held slips (optimus.conditions)"),
 ]
-Friction = Annotated[float, arg(help="factor of the friction of everything, unforeseen")]
-Mass = Annotated[float, arg(help="factor of the mass of the movable things, unforeseen")]
+Friction = Annotated[float, arg(help="a factor on the friction of everything, unforeseen")]
+Mass = Annotated[float, arg(help="a factor on the mass of the movable things, unforeseen")]
 
 ObjectsName = Annotated[
     str | None, arg(metavar="19|72|unseen|NAME,NAME|FOLDER", help="what to do the task with; `optimus objects` lists them")

@@ -238,7 +238,8 @@ class _Trainer:
 def _require_same_inputs(begun: Policy, inputs: PolicyInputs, run: Path | None) -> None:
     """`CheckpointError` if the policy that training is to begin with sees or does something else than the data."""
     have, wanted = asdict(begun.inputs), asdict(inputs)
-    for what in wanted:
+    # what says most comes first: under another control everything else is different as well
+    for what in dict.fromkeys(("control", "robot", *wanted)):
         if have[what] != wanted[what]:
             raise CheckpointError(f"{run} was trained with {what} = {have[what]!r}, not {wanted[what]!r} as the data; name another")
 
