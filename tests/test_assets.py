@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import h5py
@@ -15,7 +17,7 @@ from optimus.assets import catalogue, store
 from optimus.assets.acronym import read_grasps, write_grasps
 from optimus.assets.antipodal import candidates
 from optimus.assets.convex import convex_pieces
-from optimus.assets.importing import Wish, from_acronym, imported, meshes_in, repaired, steadiness, stood_up
+from optimus.assets.importing import Wish, from_acronym, imported, meshes_in, repaired, steadiness, stood_up, whole
 from optimus.assets.thing import Facts, Thing, prepare, shape_of
 from optimus.assets.trial import GraspTrial, dropped
 from optimus.demonstrate import ExpertConfig, demonstrate
@@ -24,6 +26,7 @@ from optimus.errors import AssetError, ModelError, OptimusError, UnknownNameErro
 from optimus.objects.shapes import Grasp, block, top_grasp
 from optimus.robots import PANDA
 from optimus.tasks import task, with_objects
+from optimus.workers import each_apart
 
 FACTS = Facts("thing", "own", "grey thing", 0.1, 0.8, (0.6, 0.6, 0.6, 1.0))
 BOX = (0.04, 0.06, 0.10)
@@ -304,3 +307,10 @@ def test_objects_of_ones_own_from_the_command_line(
     assert catalogue.added() == {}
 
 
+
+
+def test_a_mesh_that_crashes_a_library_takes_no_other_with_it() -> None:
+    broken, answer = each_apart([os.abort, partial(int, "3")], 2)
+    assert answer == 3 and isinstance(broken, Exception)
+    with pytest.raises(AssetError, match="crashes the convex decomposition"):
+        whole(broken)

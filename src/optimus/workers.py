@@ -7,7 +7,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, as_completed
 from functools import partial
 from typing import Any, TypeVar
 
@@ -138,6 +138,21 @@ def finished(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[tuple[in
                 yield numbers[future], future.result()
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
+
+
+def each_apart(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[T | Exception]:
+    """The answers of jobs in their order, `workers` at a time (0: one a core), each in a process of its own: where a library
+    crashes its process, that job alone ends, with `BrokenExecutor`. An `OptimusError` is given back as well, not raised."""
+    with ThreadPoolExecutor(min(workers or available_cores(), max(len(jobs), 1))) as threads:
+        yield from threads.map(_alone, jobs)
+
+
+def _alone(job: Callable[[], T]) -> T | Exception:
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"), initializer=_begin_worker) as pool:
+        try:
+            return pool.submit(job).result()
+        except (OptimusError, BrokenExecutor) as error:
+            return error
 
 
 def available_cores() -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from concurrent.futures import BrokenExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -79,6 +80,15 @@ def imported(path: Path, wish: Wish) -> Thing:
     solid = repaired(mesh)
     solid.apply_transform(stood_up(solid, wish.up))
     return prepare(solid, _facts(wish, wish.name or name_for(path), solid, rgba, path.name))
+
+
+def whole(made: Thing | Exception) -> Thing:
+    """What `each_apart` gave back for a mesh; `AssetError` if it is not a thing."""
+    if isinstance(made, BrokenExecutor):
+        raise AssetError("crashes the convex decomposition: its surface may cut itself; mend or simplify it, or change --scale")
+    if isinstance(made, Exception):
+        raise made
+    return made
 
 
 def read_mesh(path: Path) -> tuple[trimesh.Trimesh, Rgba]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -56,7 +57,7 @@ def objects(
     else:
         from optimus.assets.importing import Wish
 
-        _add(do, what, Wish(name, category, mass, density, scale, up), meshes, json)
+        _add(do, what, Wish(name, category, mass, density, scale, up), meshes, workers, json)
 
 
 def _list(what: tuple[str, ...], out: Path | None, workers: int, json: bool) -> None:
@@ -89,20 +90,21 @@ def _line(row: dict[str, Any]) -> str:
     return f"{row['name']:<15} {row['words']:<45} {size} cm {1000 * row['mass']:4.0f} g  {grasps}{success}"
 
 
-def _add(do: str, what: tuple[str, ...], wish: Any, meshes: Path, json: bool) -> None:
+def _add(do: str, what: tuple[str, ...], wish: Any, meshes: Path, workers: int, json: bool) -> None:
     from optimus.assets import catalogue, importing
+    from optimus.workers import each_apart
 
     if not what:
         raise OptimusError(f"objects {do}: name at least one file or folder")
     paths = importing.meshes_in(map(Path, what)) if do == "add" else [Path(p) for p in what]
     if wish.name is not None and len(paths) > 1:
         raise OptimusError(f"--name is for one object, not for {len(paths)}")
+    make = partial(importing.imported, wish=wish) if do == "add" else partial(importing.from_acronym, meshes=meshes, wish=wish)
     accepted, refused = [], {}
     with bar(len(paths), "add", "object") as shown:
-        for path in paths:
+        for path, made in zip(paths, each_apart([partial(make, path) for path in paths], workers), strict=True):
             try:
-                thing = importing.imported(path, wish) if do == "add" else importing.from_acronym(path, meshes, wish)
-                accepted.append(catalogue.add(thing))
+                accepted.append(catalogue.add(importing.whole(made)))
             except AssetError as error:
                 refused[str(path)] = str(error)
             shown.update()
