@@ -144,7 +144,8 @@ def each_apart(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[T | Ex
     """The answers of jobs in their order, `workers` at a time (0: one a core), each in a process of its own: where a library
     crashes its process, that job alone ends, with `BrokenExecutor`. An `OptimusError` is given back as well, not raised."""
     with ThreadPoolExecutor(min(workers or available_cores(), max(len(jobs), 1))) as threads:
-        yield from threads.map(_alone, jobs)
+        for future in [threads.submit(_alone, job) for job in jobs]:
+            yield future.result()
 
 
 def _alone(job: Callable[[], T]) -> T | Exception:
