@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import multiprocessing
 import os
 import signal
@@ -140,20 +141,28 @@ def finished(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[tuple[in
             pool.shutdown(wait=True, cancel_futures=True)
 
 
-def each_apart(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[T | Exception]:
+def each_apart(jobs: Sequence[Callable[[], T]], workers: int, seconds: float = math.inf) -> Iterator[T | Exception]:
     """The answers of jobs in their order, `workers` at a time (0: one a core), each in a process of its own: where a library
-    crashes its process, that job alone ends, with `BrokenExecutor`. An `OptimusError` is given back as well, not raised."""
+    crashes its process, or takes more than `seconds` of CPU, that job alone ends, with `BrokenExecutor`. An `OptimusError` is given
+    back as well, not raised."""
     with ThreadPoolExecutor(min(workers or available_cores(), max(len(jobs), 1))) as threads:
-        for future in [threads.submit(_alone, job) for job in jobs]:
+        for future in [threads.submit(_alone, job, seconds) for job in jobs]:
             yield future.result()
 
 
-def _alone(job: Callable[[], T]) -> T | Exception:
+def _alone(job: Callable[[], T], seconds: float) -> T | Exception:
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"), initializer=_begin_worker) as pool:
         try:
-            return pool.submit(job).result()
+            return pool.submit(_limited, job, seconds).result()
         except (OptimusError, BrokenExecutor) as error:
             return error
+
+
+def _limited(job: Callable[[], T], seconds: float) -> T:
+    """`job()`, in a process that ends when it has used so much CPU: native code minds no exception."""
+    if math.isfinite(seconds):
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+    return job()
 
 
 def available_cores() -> int:

@@ -34,6 +34,10 @@ GENERIC = {"mesh", "model", "textured", "visual", "scene", "object", "collision"
 Up = Literal["auto", "x", "y", "z"]
 
 
+PATIENCE = 150.0
+"""With one mesh [s of CPU]; most take 5 to 10."""
+
+
 @dataclass(frozen=True)
 class Wish:
     """What the user says of the meshes to be added."""
@@ -85,7 +89,8 @@ def imported(path: Path, wish: Wish) -> Thing:
 def whole(made: Thing | Exception) -> Thing:
     """What `each_apart` gave back for a mesh; `AssetError` if it is not a thing."""
     if isinstance(made, BrokenExecutor):
-        raise AssetError("crashes the convex decomposition: its surface may cut itself; mend or simplify it, or change --scale")
+        trouble = f"makes the convex decomposition crash, or go on for more than {PATIENCE:g} s of CPU"
+        raise AssetError(f"{trouble}: its surface may cut itself; mend or simplify it")
     if isinstance(made, Exception):
         raise made
     return made

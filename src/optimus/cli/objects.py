@@ -100,9 +100,10 @@ def _add(do: str, what: tuple[str, ...], wish: Any, meshes: Path, workers: int, 
     if wish.name is not None and len(paths) > 1:
         raise OptimusError(f"--name is for one object, not for {len(paths)}")
     make = partial(importing.imported, wish=wish) if do == "add" else partial(importing.from_acronym, meshes=meshes, wish=wish)
+    jobs = [partial(make, path) for path in paths]
     accepted, refused = [], {}
     with bar(len(paths), "add", "object") as shown:
-        for path, made in zip(paths, each_apart([partial(make, path) for path in paths], workers), strict=True):
+        for path, made in zip(paths, each_apart(jobs, workers, importing.PATIENCE), strict=True):
             try:
                 accepted.append(catalogue.add(importing.whole(made)))
             except AssetError as error:
