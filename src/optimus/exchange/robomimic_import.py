@@ -117,11 +117,10 @@ def _episode(
         raise DatasetError(f"{demo.file.filename}: {demo.name}/actions has shape {actions.shape}, not (steps, numbers)")
     steps, obs, about = len(actions), group_in(demo, "obs"), facts(demo, "ep_meta")
     here = names_in(demo)
-    start = np.zeros(0)
+    states = numbers(demo, "states", steps).astype(np.float64) if "states" in here else None
+    start = np.zeros(0) if states is None else states[0]
     if "initial_state" in here:
         start = numbers(demo, "initial_state").ravel()
-    elif "states" in here:
-        start = numbers(demo, "states", steps)[0]
     objects, object_names = _objects(obs, about, steps)
     success = _success(demo, about, steps)
     observations = {name: numbers(obs, name, steps).astype(np.float32) for name in low}
@@ -143,6 +142,7 @@ def _episode(
         failure="" if success else str(about.get("failure") or "no reward"),
         skeleton=tuple(about.get("skeleton", ())),
         info={**own, **({INSTRUCTION: told} if told else {}), "demo": str(demo.name).rsplit("/", 1)[-1]},
+        states=states,
     )
 
 

@@ -61,9 +61,9 @@ class Pick:
         points = [at.pos] if purpose is None else [at.pos, pose_of(workspace.scene, state, purpose.support).pos]
         roofed = any(workspace.scene.is_roofed(p, 0.0) for p in points)
         leans = LEANING if roofed else UPRIGHT
+        com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
         for poses in _by_lean(shape, at, leans, roofed):
             for tilt in leans:
-                com = at.transform(shape.inertia.com) if shape.inertia is not None else at.pos
                 yield from sorted(poses[tilt], key=lambda pose: (_effort(workspace, pose, tilt, com), round(pose.quat[0], 6)))
 
     def refine(

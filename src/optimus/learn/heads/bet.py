@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
 from torch import Tensor, nn
 
-from optimus.learn.heads.mixture import Mixture
+from optimus.learn.heads.mixture import Mixture, NextAction
 
 
 @dataclass(frozen=True)
-class BeTConfig:
+class BeTConfig(NextAction):
     """The paper's re-implementation (Table D.2)."""
 
     clusters: int = 24
@@ -25,16 +25,6 @@ class BeTConfig:
     focus: float = 2.0
     """Exponent of the focal loss (Lin et al., 2017): 0 is cross-entropy."""
     kind: Literal["bet"] = "bet"
-
-    @property
-    def chunk(self) -> int:
-        """Actions in an answer."""
-        return 1
-
-    @property
-    def executed(self) -> int:
-        """How many of them are carried out before the next answer."""
-        return 1
 
     def build(self, width: int, actions: int) -> BeTHead:
         """A head with random weights."""

@@ -22,18 +22,8 @@ SHARPNESS = 4.0
 the likelier one may stand still for ever. Between the two: docs/results/first-policies.md."""
 
 
-@dataclass(frozen=True)
-class MixtureConfig:
-    """A mixture of Gaussians with diagonal covariance."""
-
-    modes: int = 5
-    min_deviation: float = 0.03
-    """Smallest deviation, in normalised units: the likelihood of what hardly varies cannot explode."""
-    gripper_weight: float = 1.0
-    """Weight of the gripper's log-density beside that of each other dimension."""
-    fixed_deviation: float | None = None
-    """If given, every deviation: with one mode, the loss is the squared error but for a factor and a constant."""
-    kind: Literal["mixture"] = "mixture"
+class NextAction:
+    """What heads have in common that answer with the next action alone."""
 
     @property
     def chunk(self) -> int:
@@ -44,6 +34,20 @@ class MixtureConfig:
     def executed(self) -> int:
         """How many of them are carried out before the next answer."""
         return 1
+
+
+@dataclass(frozen=True)
+class MixtureConfig(NextAction):
+    """A mixture of Gaussians with diagonal covariance."""
+
+    modes: int = 5
+    min_deviation: float = 0.03
+    """Smallest deviation, in normalised units: the likelihood of what hardly varies cannot explode."""
+    gripper_weight: float = 1.0
+    """Weight of the gripper's log-density beside that of each other dimension."""
+    fixed_deviation: float | None = None
+    """If given, every deviation: with one mode, the loss is the squared error but for a factor and a constant."""
+    kind: Literal["mixture"] = "mixture"
 
     def build(self, width: int, actions: int) -> MixtureHead:
         """A head with random weights."""
