@@ -54,6 +54,7 @@ def test_the_figures_are_those_of_the_episodes(store: EpisodeStore) -> None:
         binned = Counter(min(19, int((float(v) + 1) / 0.1 + 1e-6)) for v in column)
         assert sum(spread.histogram) == len(column) and spread.histogram[19] == binned[19]
     assert about.actions[6].saturated == 1.0
+    assert about.imitability is None, "a step is compared with five other episodes; five are kept in all"
     first = np.array([e.objects[0, 0, :2] for e in episodes])
     assert np.allclose(about.starts["square"].low, first.min(0)) and np.allclose(about.starts["square"].high, first.max(0))
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from optimus.collect import CollectConfig, collect
+from optimus.data.describe import describe
 from optimus.data.imitability import imitability
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
@@ -47,6 +48,7 @@ def test_a_function_of_the_state_leaves_nothing_to_chance(tmp_path: Path) -> Non
 def test_noise_is_found_in_its_own_size(tmp_path: Path) -> None:
     """Independent noise of 2 mm on each of three numbers, over twelve steps, sums to 2 mm x sqrt(36)."""
     score = imitability(made(tmp_path, 0.002).path)
+    assert describe(tmp_path).imitability == score
     assert score.drift == pytest.approx(0.002 * np.sqrt(3 * STEPS), rel=0.08)
     whole = sum(phase["drift"] ** 2 for phase in score.phases.values())
     assert score.drift == pytest.approx(np.sqrt(whole))

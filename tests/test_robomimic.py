@@ -106,6 +106,9 @@ def test_states_are_those_of_the_physics(taught: tuple[Path, Path], tmp_path: Pa
             assert time == pytest.approx(states[0, 0] + step / CONTROL_HZ)
             assert np.allclose(env.object_positions(), episode.objects[step], atol=1e-6)
             assert np.allclose(env.observe()["robot0_eef_pos"], episode.observations["robot0_eef_pos"][step], atol=1e-6)
+    import_robomimic(tmp_path / "d.hdf5", tmp_path / "back")
+    back = EpisodeStore.open(tmp_path / "back").read(episode.seed)
+    assert np.array_equal(back.states, states) and np.array_equal(back.states, episode.states), "they may be rendered again"
 
 
 def test_another_s_demonstrations_are_curated_and_learned_from(tmp_path: Path) -> None:

@@ -79,6 +79,8 @@ def _lines(about: Description, html: Path | None) -> list[str]:
         f"{'lengths [steps]':<24}{shortest} to {longest}, mean {about.steps / about.episodes:.1f}",
         f"{'pushed, planned again':<24}{about.perturbed}, {about.retried}",
     ]
+    if about.imitability is not None:
+        lines.append(f"{'imitability':<24}{about.imitability.in_words}")
     named: dict[str, dict[str, Any]] = {
         "failed attempts": about.failures,
         "split": about.split or {"not curated": about.episodes},

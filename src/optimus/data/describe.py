@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from optimus.data.curate import CURATION_FILE, load_curation
 from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.imitability import Imitability, imitability
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 
@@ -78,6 +79,8 @@ class Description:
     starts: dict[str, Coverage] = field(default_factory=dict)
     """By the name of the thing in the scene."""
     actions: tuple[ActionSpread, ...] = ()
+    imitability: Imitability | None = None
+    """None where there is too little to compare, or too little is known of it."""
 
 
 def describe(dataset: Path | str, progress: Callable[[int, int], None] = lambda done, of: None) -> Description:
@@ -112,7 +115,15 @@ def describe(dataset: Path | str, progress: Callable[[int, int], None] = lambda 
         split=_split(store),
         starts={name: _coverage(np.array(places)) for name, places in starts.items()},
         actions=tuple(_spread(column) for column in _columns(store, actions)),
+        imitability=_imitability(store),
     )
+
+
+def _imitability(store: EpisodeStore) -> Imitability | None:
+    try:
+        return imitability(store.path)
+    except DatasetError:
+        return None
 
 
 def starting_places(headers: Sequence[EpisodeHeader]) -> dict[str, list[list[float]]]:

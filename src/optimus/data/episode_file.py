@@ -22,6 +22,8 @@ from optimus.errors import DatasetError
 EPISODE_FORMAT = "optimus-episode"
 VERSION = 1
 OBSERVATION_PREFIX = "obs."
+STATES = "states"
+"""The physics states before every action, in files that have them."""
 
 _DTYPES = {"U8": np.uint8, "F32": np.float32, "F64": np.float64, "I64": np.int64, "BOOL": np.bool_}
 _MAX_HEADER = 100_000_000  # [bytes], the format's own limit
@@ -107,7 +109,7 @@ def read_episode(header: EpisodeHeader) -> Episode:
         failure=header.failure,
         skeleton=header.skeleton,
         info=header.info,
-        states=header.read("states") if "states" in header.arrays else None,
+        states=header.read(STATES) if STATES in header.arrays else None,
     )
     for name, array in _arrays(episode).items():
         require_finite(array, header.path, name)
@@ -154,7 +156,7 @@ def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
 def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:
     names = tuple(facts["observations"])
     steps = arrays["actions"].shape[0]
-    for name in ("executed", "objects", *{"states"} & arrays.keys(), *(OBSERVATION_PREFIX + n for n in names)):
+    for name in ("executed", "objects", *{STATES} & arrays.keys(), *(OBSERVATION_PREFIX + n for n in names)):
         if arrays[name].shape[0] != steps:
             raise ValueError(f"{name} has {arrays[name].shape[0]} steps, actions have {steps}")
     return EpisodeHeader(
@@ -176,7 +178,7 @@ def _arrays(episode: Episode) -> dict[str, NDArray[Any]]:
     named = {OBSERVATION_PREFIX + name: array for name, array in episode.observations.items()}
     named |= {"actions": episode.actions, "executed": episode.executed}
     named |= {"initial_state": episode.initial_state, "objects": episode.objects}
-    named |= {} if episode.states is None else {"states": episode.states}
+    named |= {} if episode.states is None else {STATES: episode.states}
     return {name: np.ascontiguousarray(array) for name, array in named.items()}
 
 

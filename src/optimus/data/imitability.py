@@ -54,6 +54,11 @@ class Imitability:
     compared: float
     """Share of the steps that enough other episodes had something to compare with."""
 
+    @property
+    def in_words(self) -> str:
+        """The score on one line."""
+        return f"drift {1000 * self.drift:.0f} mm, doubt {self.doubt:.1f} steps an episode; situations {1000 * self.alike:.0f} mm apart"
+
 
 @dataclass(frozen=True, eq=False)
 class _Steps:

@@ -8,15 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.episode import TASKS_OWN
-from optimus.data.episode_file import EpisodeHeader
+from optimus.data.episode_file import STATES, EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, OptimusError
 from optimus.robots.catalogue import robot as robot_named
 from optimus.tasks import task as task_named
-
-RECORDED = "states"
-"""The array of an episode file that holds them, where they were recorded."""
 
 
 def environment(store: EpisodeStore) -> ManipulationEnv | None:
@@ -40,8 +37,8 @@ def states_of(header: EpisodeHeader, env: ManipulationEnv | None) -> NDArray[np.
     An episode that did not record them is carried out again, which is exact: `DatasetError` if the objects are not at every step
     where they were (another version of the physics, another robot's file).
     """
-    if RECORDED in header.arrays:
-        return header.read(RECORDED)
+    if STATES in header.arrays:
+        return header.read(STATES)
     if env is None:
         return None
     objects, executed = header.read("objects"), header.read("executed")

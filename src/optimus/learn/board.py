@@ -41,7 +41,8 @@ class _Nowhere:
 class _TensorBoard:
     def __init__(self, run: Path, step: int) -> None:
         # a reader forgets what an earlier session, killed later on, had reported of the steps that are taken again
-        self._writer = SummaryWriter(str(run / BOARD_FOLDER), purge_step=step + 1)
+        # the suffix: files are named by the second, and one of the same second would be written over
+        self._writer = SummaryWriter(str(run / BOARD_FOLDER), purge_step=step + 1, filename_suffix=f".{step:09d}")
 
     def add(self, metrics: dict[str, float]) -> None:
         for name, value in metrics.items():

@@ -39,6 +39,8 @@ def _header(about: Description) -> str:
         "Pushed on purpose": f"{about.perturbed:,}",
         "Planned again": f"{about.retried:,}",
     }
+    if about.imitability is not None:
+        numbers["Left to chance, an episode"] = f"{1000 * about.imitability.drift:.0f} mm"
     names = " and ".join(f"{c} ({h} x {w})" for c, (h, w, *_) in about.cameras.items()) or "no camera"
     lead = f"<p>Task {escape(about.task)}, seen by {escape(names)}.</p>"
     return f"<header><h1>{escape(about.task)}</h1>{lead}</header>{pieces.numbers(numbers)}"
