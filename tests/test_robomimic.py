@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -52,6 +53,35 @@ def test_the_file_is_as_the_format_says(tmp_path: Path) -> None:
                 assert demo[f"obs/{name}"].dtype == array.dtype and np.array_equal(demo[f"obs/{name}"], array)
                 assert np.array_equal(demo[f"next_obs/{name}"][:-1], array[1:])
             assert demo["obs/front_image"].dtype == np.uint8 and demo["obs/front_image"].shape[1:] == (84, 84, 3)
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.5, 1.0, 2.0]), st.booleans())
+def test_the_paper_s_filter_finds_the_same_in_the_exported_file(seed: int, sd: float, boxed: bool) -> None:
+    """The rule of the paper's released filter, on the file alone: lengths beyond the file's mean + k standard deviations, and any
+    position of `robot0_eef_pos` outside bounds on x, y and z."""
+    rng = np.random.default_rng(seed)
+    low, high = np.array([-0.17, -0.17, -1.0]), np.array([0.17, 0.17, 1.0])
+    box: dict[str, Any] = {"workspace_min": tuple(low.tolist()), "workspace_max": tuple(high.tolist())} if boxed else {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        store = EpisodeStore.create(folder / "data", "square", (), {})
+        for number in range(24):
+            store.write(make_episode(number, int(rng.integers(8, 30)), cameras=(), skeleton=("a",) if number % 2 else ("b", "c")))
+        curation = curate(folder / "data", CurationConfig(max_length_sd=sd, length_over="all", **box))
+        export_robomimic(folder / "data", folder / "d.hdf5", RobomimicConfig(everything=True, states=False))
+        with h5py.File(folder / "d.hdf5", "r") as file:
+            demos: Any = file["data"]
+            lengths = [demo.attrs["num_samples"] for demo in demos.values()]
+            longest = np.mean(lengths) + sd * np.std(lengths)
+            kept = set()
+            for demo in demos.values():
+                hand = demo["obs/robot0_eef_pos"][()]
+                outside = boxed and bool((hand.min(0) < low).any() or (hand.max(0) > high).any())
+                if demo.attrs["num_samples"] <= longest and not outside:
+                    kept.add(json.loads(demo.attrs["ep_meta"])["seed"])
+            masked = {n.decode() for key in ("train", "valid") for n in file[f"mask/{key}"][()]}
+            assert {json.loads(demos[n].attrs["ep_meta"])["seed"] for n in masked} == kept == set(curation.kept)
 
 
 def test_what_was_exported_comes_back(tmp_path: Path) -> None:

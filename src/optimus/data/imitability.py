@@ -57,7 +57,8 @@ class Imitability:
     @property
     def in_words(self) -> str:
         """The score on one line."""
-        return f"drift {1000 * self.drift:.0f} mm, doubt {self.doubt:.1f} steps an episode; situations {1000 * self.alike:.0f} mm apart"
+        spread = f"drift {1000 * self.drift:.0f} mm, doubt {self.doubt:.1f} steps an episode"
+        return f"{spread}; situations {1000 * self.alike:.0f} mm apart"
 
 
 @dataclass(frozen=True, eq=False)
