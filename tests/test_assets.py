@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import os
 from dataclasses import replace
-from functools import partial
-from itertools import count
 from pathlib import Path
 
 import h5py
@@ -18,16 +14,15 @@ from optimus.assets import catalogue, store
 from optimus.assets.acronym import read_grasps, write_grasps
 from optimus.assets.antipodal import candidates
 from optimus.assets.convex import convex_pieces
-from optimus.assets.importing import Wish, from_acronym, imported, meshes_in, repaired, steadiness, stood_up, whole
+from optimus.assets.importing import Wish, from_acronym
 from optimus.assets.thing import Facts, Thing, prepare, shape_of
 from optimus.assets.trial import GraspTrial, dropped
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.errors import AssetError, ModelError, OptimusError, UnknownNameError
+from optimus.errors import AssetError, ModelError, UnknownNameError
 from optimus.objects.shapes import Grasp, block, top_grasp
 from optimus.robots import PANDA
 from optimus.tasks import task, with_objects
-from optimus.workers import each_apart
 
 FACTS = Facts("thing", "own", "grey thing", 0.1, 0.8, (0.6, 0.6, 0.6, 1.0))
 BOX = (0.04, 0.06, 0.10)
@@ -207,56 +202,6 @@ def test_a_damaged_or_crafted_folder_is_refused(tmp_path: Path, thing: Thing) ->
         store.load(tmp_path / "thing")
 
 
-# ---- importing
-
-
-def test_meshes_are_closed_and_stood_up(tmp_path: Path) -> None:
-    mesh = box()
-    holed = trimesh.Trimesh(mesh.vertices, mesh.faces[1:])
-    assert not holed.is_watertight
-    assert repaired(holed).is_watertight and repaired(holed).volume == pytest.approx(mesh.volume, rel=1e-6)
-    for turn in ([1, 0, 0], [0, 1, 0]):
-        lying = cup()
-        lying.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 5, turn))
-        lying.apply_transform(stood_up(lying, "auto"))
-        assert steadiness(lying) > 0.1
-    y_up = cup()
-    y_up.apply_transform(trimesh.transformations.rotation_matrix(-np.pi / 2, [1, 0, 0]))
-    y_up.export(tmp_path / "mug.ply")
-    thing = imported(tmp_path / "mug.ply", Wish())
-    assert thing.shape.half_extents[2] == pytest.approx(0.04, abs=0.001), "y up, as glTF has it, is understood"
-
-
-@pytest.mark.parametrize(
-    ("mesh", "scale", "why"),
-    [
-        (trimesh.creation.box((1.0, 0.5, 0.5)), 1.0, "100.0 cm|111.8 cm across"),
-        (trimesh.creation.box((0.004, 0.004, 0.004)), 1.0, "mm long"),
-        (trimesh.creation.box((0.11, 0.11, 0.10)), 1.0, "0 grasps that hold"),
-        (trimesh.Trimesh([[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]], [[0, 1, 2]]), 1.0, "flat"),
-        (trimesh.creation.box((6.0, 6.0, 9.0)), 0.01, ""),
-    ],
-)
-def test_what_cannot_be_handled_is_refused_with_the_reason(tmp_path: Path, mesh: trimesh.Trimesh, scale: float, why: str) -> None:
-    mesh.export(tmp_path / "it.stl")
-    if not why:
-        assert imported(tmp_path / "it.stl", Wish(scale=scale)).shape.half_extents[2] == pytest.approx(0.045)
-        return
-    with pytest.raises(AssetError, match=why):
-        imported(tmp_path / "it.stl", Wish(scale=scale, mass=0.1))
-
-
-def test_files_that_are_no_meshes_are_named(tmp_path: Path) -> None:
-    (tmp_path / "words.obj").write_text("hello")
-    (tmp_path / "table.csv").write_text("1,2")
-    with pytest.raises(AssetError, match=r"words\.obj"):
-        imported(tmp_path / "words.obj", Wish())
-    with pytest.raises(AssetError, match=r"readable are .*\.glb"):
-        meshes_in([tmp_path / "table.csv"])
-    with pytest.raises(AssetError, match="no such file"):
-        meshes_in([tmp_path / "missing.obj"])
-
-
 # ---- by name
 
 
@@ -277,43 +222,3 @@ def test_tasks_are_done_with_other_objects(name: str) -> None:
     attempts = [demonstrate(env, seed, ExpertConfig(check=True)) for seed in (2, 5)]
     assert [a.failure for a in attempts] == ["", ""]
     assert all(set(str(a.info["variant"]).split("+")) <= {"can-1", "jar-1"} for a in attempts)
-
-
-def test_objects_of_ones_own_from_the_command_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    from optimus.cli.objects import objects
-
-    monkeypatch.setenv("OPTIMUS_OBJECTS", str(tmp_path / "mine"))
-    meshes = tmp_path / "meshes"
-    meshes.mkdir()
-    box().export(meshes / "little box.stl")
-    trimesh.creation.box((1.0, 1.0, 1.0)).export(meshes / "crate.stl")
-    objects("add", (str(meshes),), mass=0.1, json=True)
-    answer = json.loads(capsys.readouterr().out.splitlines()[-1])
-    assert answer["added"] == ["little-box"] and "across" in answer["refused"][str(meshes / "crate.stl")]
-    objects("list", ("little-box",), out=tmp_path / "sheet", json=True)
-    listed = json.loads(capsys.readouterr().out.splitlines()[-1])["objects"][0]
-    assert (listed["name"], listed["watertight"], listed["mass"]) == ("little-box", True, 0.1)
-    assert listed["grasps"] >= 20
-    assert (tmp_path / "sheet/objects.png").stat().st_size > 1000
-    assert "little-box" in (tmp_path / "sheet/objects.html").read_text()
-    before = catalogue.added()
-    with pytest.raises(OptimusError, match="nothing was added"):
-        objects("add", (str(meshes / "crate.stl"),))
-    assert catalogue.added() == before
-    env = ManipulationEnv(task("pick-place@little-box"), images=False)
-    assert demonstrate(env, 1, ExpertConfig()).success
-    objects("remove", ("little-box",))
-    assert catalogue.added() == {}
-
-
-
-
-def test_a_mesh_that_crashes_or_holds_up_a_library_takes_no_other_with_it() -> None:
-    crashed, endless, answer = each_apart([os.abort, partial(sum, count()), partial(int, "3")], 2, seconds=3.0)
-    assert answer == 3
-    for made in (crashed, endless):
-        assert isinstance(made, Exception)
-        with pytest.raises(AssetError, match="convex decomposition crash, or go on"):
-            whole(made)

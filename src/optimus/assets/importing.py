@@ -120,15 +120,19 @@ def _colour(mesh: trimesh.Trimesh) -> Rgba:
 
 
 def repaired(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The same surface closed, its faces outward: by mending what can be mended, else as the union of its convex pieces."""
+    """The same surface closed, its faces outward. Closed bodies that overlap, as many meshes are put together, become one: faces
+    inside it would mislead grasps, masses and the decomposition alike. What cannot be mended becomes the union of its convex
+    pieces."""
     mended = mesh.copy()
     mended.merge_vertices(merge_tex=True, merge_norm=True)
     mended.update_faces(mended.nondegenerate_faces() & mended.unique_faces())
     mended.remove_unreferenced_vertices()
-    trimesh.repair.fill_holes(mended)
-    trimesh.repair.fix_normals(mended, multibody=True)
-    if mended.is_watertight and mended.volume > 0:
-        return _plain(mended)
+    bodies = list(mended.split(only_watertight=False))
+    for body in bodies:
+        trimesh.repair.fill_holes(body)
+        trimesh.repair.fix_normals(body)
+    if all(body.is_watertight and body.volume > 0 for body in bodies):
+        return _plain(trimesh.boolean.union(bodies) if len(bodies) > 1 else bodies[0])
     if np.linalg.matrix_rank(mended.vertices - mended.vertices.mean(axis=0), tol=1e-6) < 3:
         raise AssetError("is flat: it encloses nothing")
     solid = union_of_pieces(mended)

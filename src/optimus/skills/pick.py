@@ -92,11 +92,13 @@ class Pick:
         """The rest after `reach`, if it can be done."""
         q, goal = reach.q[-1], reach.end
         taken = replace(_held(state, thing, goal), q=q)
-        back = workspace.way_back(taken, goal, way)
-        lift = workspace.travel("lift", taken, back, True, rng)
-        if lift is not None and taken.held is not None:
-            after = replace(taken, q=lift.q[-1], tcp=back[-1]).moved(thing, back[-1] @ taken.held.tcp_from_object)
-            yield (reach, gripper_action("close", q, goal, True), lift), after
+        assert taken.held is not None
+        for back in workspace.ways_back(taken, goal, way):
+            lift = workspace.travel("lift", taken, back, True, rng)
+            if lift is not None:
+                after = replace(taken, q=lift.q[-1], tcp=back[-1]).moved(thing, back[-1] @ taken.held.tcp_from_object)
+                yield (reach, gripper_action("close", q, goal, True), lift), after
+                return
 
 
 def _held(state: State, thing: str, tcp: Pose) -> State:

@@ -107,7 +107,7 @@ class Place:
         q, goal = carry.q[-1], carry.end
         put = goal @ state.held.tcp_from_object
         left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
-        back = workspace.way_back(left, goal, way)
+        back = next(workspace.ways_back(left, goal, way))
         retreat = workspace.travel("retreat", left, back, False, rng)
         if retreat is not None:
             after = replace(left, q=retreat.q[-1], tcp=back[-1])

@@ -183,10 +183,11 @@ class Workspace:
             into = [*reversed(self._above(goal, out)), goal]
         return Way(into, straight=len(into) - 1, out=out)
 
-    def _above(self, goal: Pose, out: list[Pose]) -> list[Pose]:
-        """Corners from `goal` through `out` for a hand that holds something, which is to touch nothing on the way."""
-        off = goal.shifted((0.0, 0.0, self.style.lift_off))
-        return [off, *(pose.shifted((0.0, 0.0, self.style.hop)) for pose in out)]
+    def _above(self, goal: Pose, out: list[Pose], share: float = 1.0) -> list[Pose]:
+        """Corners from `goal` through `out` for a hand that holds something, which is to touch nothing on the way: as high as the
+        style says, or a share of that."""
+        off = goal.shifted((0.0, 0.0, share * self.style.lift_off))
+        return [off, *(pose.shifted((0.0, 0.0, share * self.style.hop)) for pose in out)]
 
     def approaches(
         self, name: str, state: State, goals: Iterable[Pose], shut: bool, rng: np.random.Generator
@@ -214,12 +215,17 @@ class Workspace:
             if motion is not None:
                 yield way, motion
 
-    def way_back(self, state: State, goal: Pose, way: Way) -> list[Pose]:
-        """Corners by which the hand leaves `goal`, with whatever it holds in `state`."""
+    def ways_back(self, state: State, goal: Pose, way: Way) -> Iterator[list[Pose]]:
+        """Corners by which the hand leaves `goal`, with whatever it holds in `state`: under a roof, half as high as usual where
+        there is no room for more."""
         if way.out is None:
             least = self.style.approach if state.held is not None else self.style.retreat
-            return [goal.shifted((0.0, 0.0, max(self.transit_height(state, goal) - goal.pos[2], least)))]
-        return self._above(goal, way.out) if state.held is not None else way.out
+            yield [goal.shifted((0.0, 0.0, max(self.transit_height(state, goal) - goal.pos[2], least)))]
+        elif state.held is None:
+            yield way.out
+        else:
+            yield self._above(goal, way.out)
+            yield self._above(goal, way.out, 0.5)
 
     def _over_and_down(self, state: State, goal: Pose, height: float) -> list[Pose]:
         """Corners of the usual way: straight up to `height` (never down), across while turning, straight down to `goal`."""

@@ -80,13 +80,13 @@ def goblet() -> Solid:
 
 
 def teacup() -> Solid:
-    body = vessel([(0, 0), (18, 0), (18, 5), *curve([(20, 7), (31, 22), (36, 42), (38, 60)])])
-    handle = sweep([(36 + 0.95 * x, 0, 36 + z) for x, _, z in arc(14, 110, -110, 14)], ellipsoid(4, 5, 4, 12))
-    return body + (handle - cylinder(31, 80, 34))
+    body = vessel([(0, 0), (18, 0), (18, 5), *curve([(20, 7), (28, 20), (32, 38), (33, 54)])])
+    handle = sweep([(31 + 0.95 * x, 0, 36 + z) for x, _, z in arc(14, 110, -110, 14)], ellipsoid(4, 5, 4, 12))
+    return body + (handle - cylinder(27, 80, 29))
 
 
 def footed_bowl() -> Solid:
-    return vessel([(0, 0), (24, 0), (24, 6), *curve([(27, 9), (42, 20), (51, 38), (54, 60)])], wall=5)
+    return vessel([(0, 0), (21, 0), (21, 6), *curve([(24, 9), (36, 18), (43, 33), (45, 52)])], wall=5)
 
 
 def dog_bowl() -> Solid:
@@ -94,8 +94,8 @@ def dog_bowl() -> Solid:
     bone = sweep([(-9, 0, 0), (9, 0, 0)], 4.0)
     for x in (-11, 11):
         bone += ball(5.0, 16).translate((x, 0, 4)) + ball(5.0, 16).translate((x, 0, -4))
-    body = lathe([(0, 0), (56, 0), (49, 44), (0, 44)], corner=3) - lathe([(0, 8), *curve([(32, 8), (38, 14), (43, 46)]), (0, 46)])
-    return body + move(bone, y=-51.5, z=22)
+    body = lathe([(0, 0), (38, 0), (32, 40), (0, 40)], corner=3) - lathe([(0, 8), *curve([(20, 8), (24, 14), (26, 42)]), (0, 42)])
+    return body + move(bone, y=-34.5, z=20)
 
 
 def square_bowl() -> Solid:

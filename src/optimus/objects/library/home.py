@@ -67,9 +67,9 @@ def treasure_chest() -> Solid:
         lid = extrude(circle(radius), length).rotate((90, 0, 90)).translate((-length / 2, 0, 36))
         return lid.trim_by_plane((0, 0, 1), 37)
 
-    bands = sum((move(half_round(27, 7) + box(7, 54, 39, 1), x=x) for x in (-34, 0, 34)), Solid())
+    bands = sum((move(half_round(27, 7) + box(7, 54, 39, 1), x=x) for x in (-27, 0, 27)), Solid())
     lock = move(box(14, 8, 18), y=-26, z=24) - move(turn(cylinder(2.5, 30, corner=0), x=90), z=33)
-    return box(82, 48, 36) + half_round(24.5, 80) + move(box(84, 52, 6), z=33) + bands + lock
+    return box(66, 48, 36) + half_round(24.5, 64) + move(box(68, 52, 6), z=33) + bands + lock
 
 
 def milk_carton() -> Solid:
@@ -101,8 +101,8 @@ def open_book() -> Solid:
 
 
 def book_stack() -> Solid:
-    second, third = turn(_book(56, 78, 19), z=12), turn(_book(52, 72, 18), z=-8)
-    return _book(60, 84, 21) + move(second, z=20) + move(third, y=2, z=38)
+    second, third = turn(_book(48, 62, 19), z=12), turn(_book(44, 58, 18), z=-8)
+    return _book(52, 67, 21) + move(second, z=20) + move(third, y=2, z=38)
 
 
 def pillar_candle() -> Solid:

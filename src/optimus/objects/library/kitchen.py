@@ -71,17 +71,17 @@ def tall_pitcher() -> Solid:
 
 
 def stock_pot() -> Solid:
-    body = vessel([(0, 0), (44, 0), (44, 58)]) + (move(ring(43, 6), z=56) - cylinder(40, 80))
-    handle = sweep([(42, -16, 42), (56, -14, 42), (60, -8, 42), (60, 8, 42), (56, 14, 42), (42, 16, 42)], 4.5)
-    return body + mirrored(handle, (1, 0, 0)) - move(cylinder(39, 80), z=10)
+    body = vessel([(0, 0), (33, 0), (33, 52)]) + (move(ring(32, 6), z=50) - cylinder(29, 80))
+    handle = sweep([(31, -14, 36), (44, -12, 36), (47, -7, 36), (47, 7, 36), (44, 12, 36), (31, 14, 36)], 4.5)
+    return body + mirrored(handle, (1, 0, 0)) - move(cylinder(28, 80), z=10)
 
 
 def saucepan() -> Solid:
-    body = vessel([(0, 0), (36, 0), (38, 6), (38, 46)], wall=5)
-    grip = sweep([(34, 0, 36), (46, 0, 37)], 5.0) + hull(
-        turn(box(16, 10, 30), y=90).translate((44, 0, 38)), turn(box(18, 14, 10), y=90).translate((88, 0, 39))
+    body = vessel([(0, 0), (31, 0), (33, 6), (33, 46)], wall=5)
+    grip = sweep([(29, 0, 36), (41, 0, 37)], 5.0) + hull(
+        turn(box(16, 10, 30), y=90).translate((39, 0, 38)), turn(box(18, 14, 10), y=90).translate((80, 0, 39))
     )
-    return body + grip - move(cylinder(33, 60), z=8)
+    return body + grip - move(cylinder(28, 60), z=8)
 
 
 def casserole() -> Solid:
@@ -98,7 +98,7 @@ def round_teapot() -> Solid:
     lid = lathe([(0, 58), (18, 58), (18, 63), *curve([(16, 65), (10, 69)]), (0, 71)]) + ball(7, 24).translate((0, 0, 75))
     spout = taper(curve([(20, 0, 22), (40, 0, 30), (46, 0, 50), (57, 0, 63)], 4), 13, 4.5)
     handle = sweep([(-28 + 1.1 * x, 0, 34 + z) for x, _, z in arc(20, 75, 285, 14)], ellipsoid(4.5, 6, 4.5, 12))
-    return body + lid + spout + handle
+    return (body + lid + spout + handle).scale((0.85, 0.85, 0.85))
 
 
 def hooped_teapot() -> Solid:

@@ -61,9 +61,9 @@ def mallet() -> Solid:
 
 def horseshoe_magnet() -> Solid:
     """Lying flat, its two tips a little thicker."""
-    section = (circle(36) - circle(18)) ^ rectangle(80, 40, at=(0, 20))
-    section += rectangle(18, 36, at=(-27, -17)) + rectangle(18, 36, at=(27, -17))
-    tips = mirrored(move(box(21, 16, 26), x=27, y=-28), (1, 0, 0))
+    section = (circle(31) - circle(15)) ^ rectangle(80, 40, at=(0, 20))
+    section += rectangle(16, 30, at=(-23, -14)) + rectangle(16, 30, at=(23, -14))
+    tips = mirrored(move(box(18, 14, 26), x=23, y=-23), (1, 0, 0))
     return plate(section, 24, 2) + tips
 
 

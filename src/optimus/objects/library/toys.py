@@ -50,12 +50,12 @@ def bowling_ball() -> Solid:
 
 
 def studded_brick() -> Solid:
-    studs = [move(cylinder(8.5, 12), x=x, y=y, z=36) for x in (-28, 0, 28) for y in (-14, 14)]
-    return box(84, 56, 40, 1.5) + sum(studs, Solid())
+    studs = [move(cylinder(7.5, 8), x=x, y=y, z=37) for x in (-22, 0, 22) for y in (-11, 11)]
+    return box(67, 44, 40, 1.5) + sum(studs, Solid())
 
 
 def arch_block() -> Solid:
-    section = soften(polygon([(-42, 0), (-42, 56), (42, 56), (42, 0)]), 1) - circle(24)
+    section = soften(polygon([(-34, 0), (-34, 50), (34, 50), (34, 0)]), 1) - circle(18)
     return turn(plate(section, 34, 2), x=90).translate((0, 17, 0))
 
 
