@@ -25,12 +25,14 @@ register()
 
 
 def load_policy(run: Path | str, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
-    """The policy in the folder of a training run, to act with: `reset()`, then `act(observation)` step by step.
+    """The policy in the folder of a training run, or that of `pretrained:NAME`, to act with: `reset()`, then `act(observation)`
+    step by step.
 
     `act` takes what `optimus/...` environments observe (a dictionary of arrays) and gives the action `(n,)` float32.
     `CheckpointError` if there is no policy in the folder, or it is damaged. See
     `optimus.learn.agent.PolicyAgent` for `component` and `compiled`.
     """
     from optimus.learn.agent import PolicyAgent  # torch takes seconds, and most of the package does without
+    from optimus.pretrained import run_folder
 
-    return PolicyAgent(run, component, compiled=compiled)
+    return PolicyAgent(run_folder(run), component, compiled=compiled)

@@ -21,7 +21,7 @@ PresetName = Annotated[
         "bet (the paper's, with a ResNet-18 a camera)",
     ),
 ]
-RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`")]
+RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`, or `pretrained:NAME`")]
 
 RobotName = Annotated[str | None, arg(metavar="ROBOT", help="a robot's name or robot file; by default the task's own")]
 ControlName = Annotated[

@@ -205,7 +205,7 @@ def evaluate(
     run: RunFolder,
     dataset: Path | None = None,
     episodes: Episodes = 50,
-    states: Literal["validation", "random"] = "validation",
+    states: Literal["validation", "random"] | None = None,
     repeats: int = 1,
     checkpoint: Literal["last", "best", "both"] = "last",
     seed: int = 0,
@@ -225,14 +225,15 @@ def evaluate(
     folder, as JSON and as JSON lines.
 
     Try:
+        optimus evaluate pretrained:pick-place
         optimus evaluate runs/stack --dataset data/stack --episodes 50 --repeats 3 --checkpoint both
-        optimus evaluate runs/stack --states random --videos films
-        optimus evaluate runs/stack --states random --perturb push --friction 0.7
-        optimus evaluate runs/pick-place --states random --objects unseen
+        optimus evaluate runs/stack --videos films --perturb push --friction 0.7
+        optimus evaluate runs/pick-place --objects unseen
 
     Args:
         dataset: whose validation states to start from; needed for --states validation
-        states: start from the validation demonstrations' states, or from fresh random ones
+        states: start from the validation demonstrations' states, or from fresh random ones; by default the former where there is a
+            --dataset
         repeats: play this often from each of them, the policy drawing anew
         checkpoint: the last one, the one of the lowest held-out error, or both, one after the other
         seed: of the policy's draws, and of random states
@@ -245,9 +246,11 @@ def evaluate(
     from optimus.filming import film_outcomes
     from optimus.learn import checkpoint as checkpoints
     from optimus.learn.card import write_card
+    from optimus.pretrained import run_folder
 
     if repeats < 1:
         raise CheckpointError(f"--repeats {repeats} is not positive")
+    run, states = run_folder(run), states or ("random" if dataset is None else "validation")
     conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
     results: dict[str, Any] = {}
     for which in ("last", "best") if checkpoint == "both" else (checkpoint,):
@@ -277,8 +280,9 @@ def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
     """
     from optimus.learn import checkpoint
     from optimus.learn.onnx_file import export_onnx
+    from optimus.pretrained import run_folder
 
-    export_onnx(checkpoint.load(run), onnx)
+    export_onnx(checkpoint.load(run_folder(run)), onnx)
     say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 
