@@ -24,7 +24,7 @@ def test_they_do_their_task(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cap
     """In physics, from fresh problems: half of four is far below what they do, and far above what chance does."""
     monkeypatch.setattr("optimus.pretrained.cache_folder", lambda: tmp_path)
     before = files(SHIPPED)
-    assert "pick-place" in names()
+    assert names() == ["pick-place", "stack"]
     for name in names():
         evaluate(Path(PREFIX + name), episodes=4, workers=1, json=True)
         said = json.loads(capsys.readouterr().out.splitlines()[-1])
@@ -36,8 +36,8 @@ def test_they_do_their_task(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cap
 
 def test_one_acts_by_its_name(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr("optimus.pretrained.cache_folder", lambda: tmp_path)
-    env = ManipulationEnv(task("pick-place"))
-    policy = optimus.load_policy("pretrained:pick-place")
+    env = ManipulationEnv(task("stack"))
+    policy = optimus.load_policy("pretrained:stack")
     policy.reset()
     action = policy.act(env.reset(seed=1)[0])
     assert action.shape == env.action_space.shape and np.isfinite(action).all()
