@@ -14,8 +14,9 @@ import pytest
 import torch
 
 import optimus
-from optimus.data.episode import OBJECT_POSITIONS, Episode
+from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, Episode
 from optimus.data.store import EpisodeStore
+from optimus.data.windows import WindowConfig, Windows
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError, OptimusError
 from optimus.evaluate import evaluate, random_starts
@@ -128,7 +129,13 @@ def test_an_environment_tells_where_things_are(taught: tuple[Path, Path], tmp_pa
     seen, _ = env.reset(seed=3)
     np.testing.assert_allclose(seen[OBJECT_POSITIONS].reshape(-1, 3), env.object_positions(), atol=1e-6)
     assert env.observation_space.contains(seen)
-    train(taught[0], tmp_path / "run", SHORT, preset("quick-mlp", "mse", "state").policy, watch="none")
+    store = EpisodeStore.open(taught[0])
+    windows = Windows(store, store.seeds[:1], WindowConfig(images=False))
+    seen, _ = env.reset(seed=store.seeds[0])
+    for name in (OBJECT_POSITIONS, OBJECT_TURNS):  # learned from what was recorded, told by the simulator
+        np.testing.assert_allclose(windows.proprioception[name][0], seen[name], atol=1e-5)
+    policy = train(taught[0], tmp_path / "run", SHORT, preset("quick-mlp", "mse", "state").policy, watch="none")
+    assert policy.inputs.proprioception[OBJECT_TURNS] == 12
     assert evaluate(tmp_path / "run", random_starts(1), "random", workers=1).episodes == 1
 
 

@@ -22,9 +22,11 @@ from optimus.data.episode import (
     IMAGE_SUFFIX,
     INSTRUCTION,
     OBJECT_POSITIONS,
+    OBJECT_TURNS,
     OSC,
     Observation,
 )
+from optimus.data.turns import as_columns
 from optimus.errors import ModelError, UnknownNameError
 from optimus.render import Rig
 from optimus.robots import Robot
@@ -67,7 +69,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         gripper: str = BINARY,
         worlds: Callable[[Scene], World] = compile_scene,
     ) -> None:
-        """`robot` takes the place of the task's own; with `positions`, agents are told where the movables are; `gripper` is
+        """`robot` takes the place of the task's own; with `positions`, agents are told how the movables lie; `gripper` is
         `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one."""
         if gripper not in (BINARY, CONTINUOUS):
             raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
@@ -88,8 +90,9 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             for name, seen in self._proprioception().items()
         }
         if self.positions:
-            size = 3 * len(self.world.scene.movable_names)
-            spaces[OBJECT_POSITIONS] = gymnasium.spaces.Box(-np.inf, np.inf, (size,), np.float32)
+            count = len(self.world.scene.movable_names)
+            spaces[OBJECT_POSITIONS] = gymnasium.spaces.Box(-np.inf, np.inf, (3 * count,), np.float32)
+            spaces[OBJECT_TURNS] = gymnasium.spaces.Box(-1.01, 1.01, (6 * count,), np.float32)
         if self.images:
             for camera in self.world.image_cameras:
                 shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
@@ -172,6 +175,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         seen: Observation = dict(self._proprioception())
         if self.positions:
             seen[OBJECT_POSITIONS] = self.object_positions().astype(np.float32).ravel()
+            seen[OBJECT_TURNS] = self._object_turns().ravel()
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)
@@ -196,6 +200,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """`(k, 3)` [m], as the scene orders its movables."""
         names = self.world.scene.movable_names
         return np.array([self.world.object_pose(self.data, n).pos for n in names]).reshape(-1, 3)
+
+    def _object_turns(self) -> NDArray[np.float32]:
+        """`(k, 6)`, in the same order."""
+        names = self.world.scene.movable_names
+        return as_columns(np.array([self.world.object_pose(self.data, n).matrix for n in names]).reshape(-1, 3, 3))
 
     def render(self) -> NDArray[np.uint8]:  # type: ignore[override]
         """A larger picture `(480, 480, 3)` for people."""

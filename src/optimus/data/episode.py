@@ -47,6 +47,9 @@ OBJECT_POSITIONS = "object_positions"
 """Where an agent that is told the scene's state instead of seeing it finds the movables' positions `(3 k,)` [m], as the scene
 orders them. Datasets hold them in `objects`."""
 
+OBJECT_TURNS = "object_turns"
+"""... and how they are turned: the first two columns of each one's rotation `(6 k,)`."""
+
 IMAGE_SUFFIX = "_image"
 DEPTH_SUFFIX = "_depth"
 """`(T, h, w)` float32: distance along the camera's axis [m]."""

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from optimus.data.curate import CURATION_FILE, load_curation
-from optimus.data.episode import GRIPPER, STATE_COLUMNS, arm_parts
+from optimus.data.episode import GRIPPER, arm_parts
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore
+from optimus.data.turns import rotations_of
 from optimus.errors import DatasetError
 from optimus.se3 import matrix_from_quat
 
@@ -200,10 +201,5 @@ def _hand(header: EpisodeHeader) -> tuple[Array, Array]:
 def _things(header: EpisodeHeader) -> tuple[Array, Array]:
     """The objects' positions `(T, k, 3)` [m] and rotations `(T, k, 3, 3)`; none turns where nobody recorded states."""
     places = header.read("objects").astype(float)
-    columns = header.info.get(STATE_COLUMNS, {}).get("objects", {})
-    if "states" not in header.arrays or set(columns) < set(header.object_names):
-        return places, np.broadcast_to(np.eye(3), (*places.shape, 3))
-    states = header.read("states")
-    quats = [states[:, columns[name] + 3 : columns[name] + 7] for name in header.object_names]
-    turns = [np.stack([matrix_from_quat(q) for q in quat]) for quat in quats]
-    return places, np.stack(turns, axis=1) if turns else np.empty((*places.shape, 3))
+    turns = rotations_of(header)
+    return places, np.broadcast_to(np.eye(3), (*places.shape, 3)) if turns is None else turns

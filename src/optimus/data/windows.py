@@ -16,10 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS
+from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
 from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
+from optimus.data.turns import as_columns, rotations_of, says_rotations
 from optimus.errors import DatasetError
 
 
@@ -40,7 +41,8 @@ class WindowConfig:
     ahead: int = 0
     """Labels of the steps after a frame that are given with its own."""
     images: bool = True
-    """Cut from the images; if not, the objects' positions are given with the proprioception instead."""
+    """Cut from the images; if not, how the objects lie is given with the proprioception instead: their positions, and how they are
+    turned where every episode has its states."""
 
     @property
     def frames(self) -> int:
@@ -92,7 +94,8 @@ class Windows:
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         objects = max(header.arrays["objects"].shape[1] for header in headers)
-        self.tracks = tuple(_track(header, self.cameras, config, objects) for header in headers)
+        turned = not config.images and all(map(says_rotations, headers))
+        self.tracks = tuple(_track(header, self.cameras, config, objects, turned) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them.
         self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self.tracks])
@@ -188,7 +191,7 @@ def _ahead(actions: NDArray[np.float32], frames: NDArray[np.int64], count: int) 
     return actions[(frames.clip(0)[:, None] + np.arange(1, count + 1)).clip(max=len(actions) - 1)]
 
 
-def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int) -> Track:
+def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int, turned: bool) -> Track:
     images = {}
     for camera in cameras:
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
@@ -205,7 +208,17 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, 
     if not config.images:
         # a thing that a scene does not have is at the origin to who is told where things are
         proprioception[OBJECT_POSITIONS] = np.nan_to_num(places.reshape(len(places), -1))
+        if turned:
+            proprioception[OBJECT_TURNS] = _turns(header, objects)
     return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places)
+
+
+def _turns(header: EpisodeHeader, objects: int) -> NDArray[np.float32]:
+    """`(T, 6 objects)`: see `OBJECT_TURNS`; zeros for a thing that a scene does not have."""
+    rotations, turns = rotations_of(header), np.zeros((header.steps, objects, 6), np.float32)
+    if rotations is not None:
+        turns[:, : rotations.shape[1]] = as_columns(rotations)
+    return turns.reshape(len(turns), -1)
 
 
 def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray[np.float32]:

@@ -1,0 +1,37 @@
+"""How the things of an episode are turned, as far as it is recorded."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from optimus.data.episode import STATE_COLUMNS
+from optimus.data.episode_file import STATES, EpisodeHeader
+from optimus.se3 import matrix_from_quat
+
+Array = NDArray[np.float64]
+
+
+def says_rotations(header: EpisodeHeader) -> bool:
+    """Whether somebody recorded states, and where in them the things are."""
+    columns = header.info.get(STATE_COLUMNS, {}).get("objects", {})
+    return STATES in header.arrays and set(columns) >= set(header.object_names)
+
+
+def rotations_of(header: EpisodeHeader) -> Array | None:
+    """The things' rotations `(T, k, 3, 3)`, in the order of their names; None where that is not recorded."""
+    if not says_rotations(header):
+        return None
+    columns, states = header.info.get(STATE_COLUMNS, {}).get("objects", {}), header.read(STATES)
+    quats = [states[:, columns[name] + 3 : columns[name] + 7] for name in header.object_names]
+    turns = [np.stack([matrix_from_quat(q) for q in quat]) for quat in quats]
+    return np.stack(turns, axis=1) if turns else np.empty((len(states), 0, 3, 3))
+
+
+def as_columns(rotations: NDArray[Any]) -> NDArray[np.float32]:
+    """Rotations `(..., 3, 3)` as their first two columns, one after the other `(..., 6)`: continuous, as neither angles nor
+    quaternions are (Zhou et al., *On the Continuity of Rotation Representations in Neural Networks*, 2019)."""
+    two = np.swapaxes(rotations[..., :2], -1, -2)
+    return two.reshape(*two.shape[:-2], 6).astype(np.float32)
