@@ -52,6 +52,7 @@ def test_closed_bodies_that_overlap_become_one(tmp_path: Path) -> None:
     wall, foot = trimesh.creation.box((0.02, 0.05, 0.10)), trimesh.creation.box((0.06, 0.05, 0.02))
     foot.apply_translation((0.02, 0.0, -0.04))
     both = trimesh.util.concatenate([wall, foot])
+    assert isinstance(both, trimesh.Trimesh)
     assert both.is_watertight and both.volume == pytest.approx(0.00016)
     solid = repaired(both)
     assert solid.is_watertight and solid.volume == pytest.approx(0.00014, rel=1e-4), "what they share counts once"

@@ -80,7 +80,8 @@ def test_the_paper_s_filter_finds_the_same_in_the_exported_file(seed: int, sd: f
                 outside = boxed and bool((hand.min(0) < low).any() or (hand.max(0) > high).any())
                 if demo.attrs["num_samples"] <= longest and not outside:
                     kept.add(json.loads(demo.attrs["ep_meta"])["seed"])
-            masked = {n.decode() for key in ("train", "valid") for n in file[f"mask/{key}"][()]}
+            mask: Any = file["mask"]
+            masked = {n.decode() for key in ("train", "valid") for n in mask[key][()]}
             assert {json.loads(demos[n].attrs["ep_meta"])["seed"] for n in masked} == kept == set(curation.kept)
 
 
@@ -138,6 +139,7 @@ def test_states_are_those_of_the_physics(taught: tuple[Path, Path], tmp_path: Pa
             assert np.allclose(env.observe()["robot0_eef_pos"], episode.observations["robot0_eef_pos"][step], atol=1e-6)
     import_robomimic(tmp_path / "d.hdf5", tmp_path / "back")
     back = EpisodeStore.open(tmp_path / "back").read(episode.seed)
+    assert back.states is not None and episode.states is not None
     assert np.array_equal(back.states, states) and np.array_equal(back.states, episode.states), "they may be rendered again"
 
 

@@ -79,7 +79,7 @@ def train(
         seed: of the first weights and of the order of the data
         preset: the network
         head: what answers, in place of the preset's own
-        observe: see with cameras, or be told the objects' positions (the paper's ablation)
+        observe: see with cameras, or be told how the objects lie (the paper's ablation)
         recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K); by default the
             preset's own
         batch: windows in a step, all processes together, in place of the recipe's

@@ -25,7 +25,7 @@ def write_card(run: Path) -> None:
 
 def _heading(config: dict[str, Any]) -> str:
     inputs = config["inputs"]
-    looks = f"the cameras {', '.join(inputs['cameras'])}" if inputs["cameras"] else "no camera, but the objects' positions"
+    looks = f"the cameras {', '.join(inputs['cameras'])}" if inputs["cameras"] else "how the objects lie (it has no camera)"
     return f"""---
 library_name: optimus
 tags: [robotics, imitation-learning]

@@ -27,7 +27,7 @@ class Preset:
 
 
 def preset(name: str, head: HeadName | None = None, observe: Observe = "images") -> Preset:
-    """The preset of this name, perhaps with another head, or told the objects' positions instead of seeing.
+    """The preset of this name, perhaps with another head, or told how the objects lie instead of seeing.
 
     `UnknownNameError` if there is none of this name.
     """
