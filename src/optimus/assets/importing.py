@@ -131,9 +131,9 @@ def repaired(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
     for body in bodies:
         trimesh.repair.fill_holes(body)
         trimesh.repair.fix_normals(body)
-    if all(body.is_watertight and body.volume > 0 for body in bodies):
+    if bodies and all(body.is_watertight and body.volume > 0 for body in bodies):
         return _plain(trimesh.boolean.union(bodies) if len(bodies) > 1 else bodies[0])
-    if np.linalg.matrix_rank(mended.vertices - mended.vertices.mean(axis=0), tol=1e-6) < 3:
+    if len(mended.faces) == 0 or np.linalg.matrix_rank(mended.vertices - mended.vertices.mean(axis=0), tol=1e-6) < 3:
         raise AssetError("is flat: it encloses nothing")
     solid = union_of_pieces(mended)
     if not solid.is_watertight or solid.volume <= 0:

@@ -39,14 +39,13 @@ def view(
         host: the address to serve at; the default lets in this machine alone, 0.0.0.0 everybody
     """
     try:
-        from optimus.pretrained import PREFIX, run_folder
+        from optimus.pretrained import run_folder
         from optimus.view import Address, open_view
     except ModuleNotFoundError as error:
         if error.name != "viser":
             raise
         raise OptimusError("the viewer needs the package viser: pip install 'optimus-tamp[view]'") from error
-    what = str(run_folder(what)) if what.startswith(PREFIX) else what
-    shown = open_view(what, seed, Address(host, port), chosen_robot(robot))
+    shown = open_view(str(run_folder(what)), seed, Address(host, port), chosen_robot(robot))
     say({"url": shown.url}, json, f"{shown.url}  (Ctrl-C ends it)")
     try:
         threading.Event().wait()

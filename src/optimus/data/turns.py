@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from optimus.data.episode import STATE_COLUMNS
 from optimus.data.episode_file import STATES, EpisodeHeader
-from optimus.se3 import matrix_from_quat
 
 Array = NDArray[np.float64]
 
@@ -26,7 +26,7 @@ def rotations_of(header: EpisodeHeader) -> Array | None:
         return None
     columns, states = header.info.get(STATE_COLUMNS, {}).get("objects", {}), header.read(STATES)
     quats = [states[:, columns[name] + 3 : columns[name] + 7] for name in header.object_names]
-    turns = [np.stack([matrix_from_quat(q) for q in quat]) for quat in quats]
+    turns = [Rotation.from_quat(quat, scalar_first=True).as_matrix() for quat in quats]
     return np.stack(turns, axis=1) if turns else np.empty((len(states), 0, 3, 3))
 
 

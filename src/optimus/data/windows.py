@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
-from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
+from optimus.data.episode_file import OBSERVATION_PREFIX, STATES, EpisodeHeader, require_finite
 from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
 from optimus.data.turns import as_columns, rotations_of, says_rotations
@@ -216,8 +216,8 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, 
 def _turns(header: EpisodeHeader, objects: int) -> NDArray[np.float32]:
     """`(T, 6 objects)`: see `OBJECT_TURNS`; zeros for a thing that a scene does not have."""
     rotations, turns = rotations_of(header), np.zeros((header.steps, objects, 6), np.float32)
-    if rotations is not None:
-        turns[:, : rotations.shape[1]] = as_columns(rotations)
+    assert rotations is not None, "asked of every episode before"
+    turns[:, : rotations.shape[1]] = as_columns(rotations)
     return turns.reshape(len(turns), -1)
 
 
@@ -229,7 +229,7 @@ def _label_weight(gripper: NDArray[np.float32], config: WindowConfig) -> NDArray
     return weight
 
 
-_NOT_CUT = {"initial_state", "states"}
+_NOT_CUT = {"initial_state", STATES}
 """What windows have no use for."""
 
 

@@ -12,8 +12,8 @@ from optimus.robots.menagerie import cache_folder
 
 PREFIX = "pretrained:"
 SHIPPED = Path(__file__).parent
-CONFIG_FILE, MODEL_FILE = "config.json", "model.safetensors"
-"""What every policy's folder holds."""
+CONFIG_FILE = "config.json"
+"""In every policy's folder."""
 
 
 def names() -> list[str]:
@@ -30,12 +30,10 @@ def run_folder(run: Path | str) -> Path:
     name = name.removeprefix(PREFIX)
     if name not in names():
         raise UnknownNameError("pretrained policy", name, names())
-    files = [SHIPPED / name / file for file in (CONFIG_FILE, MODEL_FILE)]
-    digest = hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:12]
+    shipped = SHIPPED / name
+    digest = hashlib.sha256(b"".join(file.read_bytes() for file in sorted(shipped.iterdir()))).hexdigest()[:12]
     folder = cache_folder() / "pretrained" / f"{name}-{digest}"
     if not folder.is_dir():
         with written_aside(folder, marker=CONFIG_FILE) as made:
-            made.mkdir(parents=True)
-            for file in files:
-                shutil.copyfile(file, made / file.name)
+            shutil.copytree(shipped, made)
     return folder
