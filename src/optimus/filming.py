@@ -48,10 +48,14 @@ def film_outcomes(
             path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
             film.write(path)
             write_whole(path.with_suffix(".png"), png(film.strip()))
-            named = f"seed {outcome['seed']} {outcome['variant']}".strip()
-            caption = f"{named}: {'success' if success else outcome['cause']}"
-            films.append(FilmedEpisode(caption, path, path.with_suffix(".png"), success, outcome["cause"]))
+            films.append(FilmedEpisode(caption_of(outcome), path, path.with_suffix(".png"), success, outcome["cause"]))
     return films
+
+
+def caption_of(outcome: dict[str, Any]) -> str:
+    """What is said below the film of an outcome."""
+    named = f"seed {outcome['seed']} {outcome['variant']}".strip()
+    return f"{named}: {'success' if outcome['success'] else outcome['cause']}"
 
 
 def worth_filming(outcomes: Sequence[dict[str, Any]], success: bool, each: int) -> list[int]:

@@ -28,13 +28,13 @@ from optimus.data.store import EpisodeStore, installed_versions
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import evaluate, validation_starts
-from optimus.filming import FilmedEpisode, film_outcomes
+from optimus.filming import film_outcomes
 from optimus.learn.card import write_card
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
 from optimus.robots import Robot
-from optimus.summary import RunRecord, summarise
+from optimus.summary import RunRecord, films_in, summarise
 from optimus.tasks import task as task_named
 
 DEMONSTRATIONS_PER_MINUTE = 18
@@ -138,14 +138,19 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     if config.corrections:
         minutes = journal.settled("first_minutes", lambda: FIRST_SHARE * _minutes_left(config, journal))
         _timed(journal, "first policy", lambda: _train("first policy", Lesson(config, data, first, minutes), progress))
-        _timed(journal, "correct", lambda: _correct(config, corrections, first, progress))
+        if "corrections" not in journal.value:  # what the policy has learned from is not added to
+            found = _timed(journal, "correct", lambda: _correct(config, corrections, first, progress))
+            journal.settled("corrections", lambda: found.demonstrations)
     lesson = Lesson(config, data, policy, journal.settled("train_minutes", lambda: _minutes_left(config, journal)))
     if config.corrections:
         lesson = replace(lesson, corrections=corrections, initial=first)
     _timed(journal, "train", lambda: _train("train", lesson, progress))
     report = _timed(journal, "evaluate", lambda: _evaluate(config, data, policy, progress))
     page = config.out / "report.html"
-    films = _timed(journal, "films", lambda: _films(config, data, policy, report))
+    if not journal.value.get("filmed"):
+        _timed(journal, "films", lambda: _films(config, data, policy, report))
+        journal.settled("filmed", lambda: True)
+    films = films_in(config.out / "films", report)
     write_report(summarise(RunRecord(journal.value, EpisodeStore.open(data), curation, policy, report, films)), page)
     return {
         "task": config.task,
@@ -175,7 +180,7 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
     return collect(wanted, lambda tally: progress("collect", tally.successes, config.wanted, {}))
 
 
-def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> None:
+def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> Collected:
     wanted = max(4, round(CORRECTIONS_PER_MINUTE * config.minutes))
     seed = config.seed + CORRECTION_SEEDS_FROM
     asked = CollectConfig(
@@ -190,7 +195,7 @@ def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageP
         control=config.control,
         robot=config.robot,
     )
-    collect(asked, lambda tally: progress("correct", tally.successes, wanted, {}))
+    return collect(asked, lambda tally: progress("correct", tally.successes, wanted, {}))
 
 
 @dataclass(frozen=True)
@@ -230,8 +235,8 @@ def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgre
     return report.as_dict()
 
 
-def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> list[FilmedEpisode]:
+def _films(config: RunConfig, data: Path, policy: Path, report: dict[str, Any]) -> None:
     starts = validation_starts(data, config.episodes)
-    return film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films", config.robot)
+    film_outcomes(policy, starts, report, config.seed, "sampled", config.out / "films", config.robot)
 
 

@@ -12,7 +12,7 @@ from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
-from optimus.filming import FilmedEpisode
+from optimus.filming import FilmedEpisode, caption_of
 from optimus.learn import checkpoint, metrics
 from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 from optimus.statistics import quantiles, wilson
@@ -94,8 +94,7 @@ def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
         outcome = evaluation["outcomes"][int(index)] if int(index) < len(evaluation["outcomes"]) else None
         if outcome is None or str(outcome["seed"]) != seed:
             continue  # of another evaluation
-        caption = f"seed {seed}: {'success' if kind == 'success' else outcome['cause']}"
-        films.append(FilmedEpisode(caption, video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
+        films.append(FilmedEpisode(caption_of(outcome), video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
     return films
 
 

@@ -11,7 +11,6 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
-from torch._inductor import config as inductor
 
 from optimus.data.episode import IMAGE_SUFFIX, Observation
 from optimus.errors import CheckpointError
@@ -100,6 +99,8 @@ class PolicyAgent:
 def _compiled(policy: Policy) -> tuple[Callable[..., Tensor], Callable[..., Tensor]]:
     """`policy.token` of one frame and `policy.features` of one window, compiled: the weights become constants that are laid out for
     the machine, which PyTorch does only where this is set while it compiles."""
+    from torch._inductor import config as inductor  # seconds to import, and only this needs it
+
     config, seen = policy.config, policy.inputs
     images = {camera: torch.zeros(1, config.crop, config.crop, 3, dtype=torch.uint8) for camera in seen.cameras}
     low = {name: torch.ones(1, size) for name, size in seen.proprioception.items()}
