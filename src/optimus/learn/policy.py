@@ -12,7 +12,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-from optimus.data.episode import OSC, TASKS_OWN, arm_parts
+from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, OSC, TASKS_OWN, arm_parts
 from optimus.data.windows import WindowConfig, Windows
 from optimus.learn.encoder import Encoder, EncoderConfig, ResNetConfig, encoder_config
 from optimus.learn.heads import Answers, Head, HeadConfig, MixtureConfig, head_config
@@ -68,6 +68,12 @@ class PolicyInputs:
     """Whose arm it moves."""
 
     @property
+    def told_from_hand(self) -> int:
+        """How many numbers say again how the objects lie, as the hand has them before it."""
+        told = (self.proprioception.get(name, 0) for name in (OBJECT_POSITIONS, OBJECT_TURNS))
+        return sum(told) if self.proprioception.keys() >= HAND else 0
+
+    @property
     def arm_parts(self) -> tuple[slice, ...]:
         """The parts of an action that move the arm, each in one unit."""
         return arm_parts(self.control, self.actions)
@@ -98,7 +104,7 @@ class Policy(nn.Module):
         super().__init__()
         self.config, self.inputs = config, inputs
         self.encoders = nn.ModuleDict({camera: Encoder(config.encoder) for camera in inputs.cameras})
-        low = sum(_width(name, n) for name, n in inputs.proprioception.items())
+        low = sum(_width(name, n) for name, n in inputs.proprioception.items()) + inputs.told_from_hand
         self.looked = config.encoder.features * len(inputs.cameras)
         seen = self.looked + low
         # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
@@ -213,7 +219,25 @@ class Policy(nn.Module):
     def _low(self, proprioception: Mapping[str, Tensor]) -> Tensor:
         """Low-dimensional observations in one vector; quaternions as two columns of their rotation matrix."""
         parts = [(name, proprioception[name]) for name in self.inputs.proprioception]
-        return torch.cat([_two_columns(x) if _is_quaternion(name) else x for name, x in parts], -1)
+        seen = [_two_columns(x) if _is_quaternion(name) else x for name, x in parts]
+        if self.inputs.told_from_hand:
+            seen.append(_from_hand(proprioception))
+        return torch.cat(seen, -1)
+
+
+HAND = {"robot0_eef_pos", "robot0_eef_quat"}
+"""What tells where the hand is."""
+
+
+def _from_hand(told: Mapping[str, Tensor]) -> Tensor:
+    """How the objects lie, as the hand has them before it: their places [m], and the columns that say how they are turned."""
+    columns = _two_columns(told["robot0_eef_quat"]).unflatten(-1, (2, 3))
+    third = torch.linalg.cross(columns[..., 0, :], columns[..., 1, :])
+    to_base = torch.stack([columns[..., 0, :], columns[..., 1, :], third], -1)
+    vectors = [told[OBJECT_POSITIONS].unflatten(-1, (-1, 3)) - told["robot0_eef_pos"][..., None, :]]
+    if OBJECT_TURNS in told:
+        vectors.append(told[OBJECT_TURNS].unflatten(-1, (-1, 3)))
+    return (torch.cat(vectors, -2) @ to_base).flatten(-2)
 
 
 def _is_quaternion(name: str) -> bool:
