@@ -13,8 +13,10 @@ import pytest
 import torch
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from optimus.data.episode import Episode
+from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, Episode
+from optimus.data.turns import as_columns
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
@@ -151,6 +153,29 @@ def test_both_signs_of_a_quaternion_are_one_rotation(policy: Policy) -> None:
     columns = policy._low({**{n: v[:1] for n, v in x.items()}, "robot0_eef_quat": quaternion})[0, 3:9]
     expected = torch.tensor([math.cos(0.6), math.sin(0.6), 0, -math.sin(0.6), math.cos(0.6), 0])
     torch.testing.assert_close(columns, expected)
+
+
+def test_what_the_hand_has_before_it_is_the_same_wherever_both_are() -> None:
+    """Hand and objects moved and turned together, by scipy: told from the base everything changes, told from the hand nothing."""
+    rng = np.random.default_rng(0)
+    told = {**PROPRIOCEPTION, OBJECT_POSITIONS: 6, OBJECT_TURNS: 12}
+    policy = Policy(PolicyConfig(observe="state"), PolicyInputs("two", (), told, 2))
+    turn, move = Rotation.random(random_state=rng), rng.normal(size=3)
+    hand, objects = Rotation.random(random_state=rng), Rotation.random(2, random_state=rng)
+    place, places = rng.normal(size=3), rng.normal(size=(2, 3))
+
+    def low(hand: Rotation, objects: Rotation, place: np.ndarray, places: np.ndarray) -> torch.Tensor:
+        seen = {"robot0_eef_pos": place, "robot0_eef_quat": hand.as_quat(), OBJECT_POSITIONS: places.ravel()}
+        seen |= {OBJECT_TURNS: as_columns(objects.as_matrix()).ravel()}
+        seen |= {name: np.zeros(PROPRIOCEPTION[name]) for name in ("robot0_gripper_qpos", "robot0_target_error")}
+        return policy._low({name: torch.as_tensor(seen[name], dtype=torch.float32)[None] for name in told})[0]
+
+    here = low(hand, objects, place, places)
+    there = low(turn * hand, turn * objects, turn.apply(place) + move, turn.apply(places) + move)
+    torch.testing.assert_close(here[-18:], there[-18:], atol=1e-5, rtol=0)
+    assert not torch.allclose(here[:-18], there[:-18], atol=1e-2)
+    before = hand.inv().apply(places - place)
+    np.testing.assert_allclose(here[-18:-12].reshape(2, 3).numpy(), before, atol=1e-5)
 
 
 def test_labels_of_repeated_frames_do_not_count(policy: Policy, windows: Windows) -> None:

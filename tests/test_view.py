@@ -15,7 +15,7 @@ import trimesh
 
 pytest.importorskip("viser", reason="the viewer is served by viser: pip install 'optimus-tamp[view]'")
 
-from browser import keep, page, requires_no_sideways_scrolling
+from browser import SCREENSHOTS, keep, page, requires_no_sideways_scrolling
 from optimus.collect import CollectConfig, collect
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, plan_for
@@ -202,7 +202,9 @@ def test_an_episode_in_step(data: Path) -> None:
 
 def test_a_policy_live(run: Path) -> None:
     """By the command itself: pictures are drawn where the policy plays, in a thread of its own."""
-    command = [sys.executable, "-m", "optimus.cli", "view", str(run), "--port", "0", "--json"]
+    # one that has learned something ends its episode in seconds: for the picture alone
+    policy = str(run) if SCREENSHOTS is None else "pretrained:stack"
+    command = [sys.executable, "-m", "optimus.cli", "view", policy, "--port", "0", "--json"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as served:
         assert served.stdout is not None
         try:
@@ -213,6 +215,7 @@ def test_a_policy_live(run: Path) -> None:
                 before = time.inner_text()
                 opened.wait_for_timeout(2500)
                 assert float(time.inner_text().split()[1]) > float(before.split()[1])
+                keep(opened, "view-policy")
                 assert wrong == []
         finally:
             served.send_signal(signal.SIGINT)

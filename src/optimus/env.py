@@ -208,7 +208,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def render(self) -> NDArray[np.uint8]:  # type: ignore[override]
         """A larger picture `(480, 480, 3)` for people."""
-        return _rig(self.world, 480).view(self.data, self.task.people_camera)
+        return self.picture(480)
+
+    def picture(self, size: int) -> NDArray[np.uint8]:
+        """The people's view, `(size, size, 3)`."""
+        return _rig(self.world, size).view(self.data, self.task.people_camera)
 
     def close(self) -> None:
         """Nothing to do: renderers are shared between environments and end with the process."""

@@ -10,10 +10,11 @@ from typing import Any
 
 from optimus.conditions import USUAL, Conditions
 from optimus.data.atomic import write_whole
+from optimus.data.episode import Episode
 from optimus.evaluate import Start, play
 from optimus.learn.heads import Component
 from optimus.robots import Robot
-from optimus.show import Film, png
+from optimus.show import Film, Loop, png
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,14 @@ def film_outcomes(
             write_whole(path.with_suffix(".png"), png(film.strip()))
             films.append(FilmedEpisode(caption_of(outcome), path, path.with_suffix(".png"), success, outcome["cause"]))
     return films
+
+
+def film_policy(run: Path, start: Start, out: Path, size: int = 256) -> Episode:
+    """Write a short looping film of the policy in `run` from `start`; see `optimus.show.Loop`."""
+    loop = Loop(out, size)
+    episode, _ = play(run, start, 0, watch=loop)
+    loop.write()
+    return episode
 
 
 def caption_of(outcome: dict[str, Any]) -> str:

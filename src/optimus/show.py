@@ -131,30 +131,43 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
 
 
 def show_film(task: Task, seed: int, out: Path, robot: Robot | None = None, size: int = 256) -> Episode:
-    """Write a short looping film of the expert solving `seed` (WebP or GIF, by the name's end): however long it takes, at most
-    `FILM_FRAMES` pictures. `ModelError` if there is no plan or it fails."""
-    if out.suffix not in FILMS:
-        raise ModelError(f"cannot write a looping film as {out.name}; its name has to end with {' or '.join(FILMS)}")
-    env, config, frames = ManipulationEnv(task, images=False, robot=robot), ExpertConfig(), []
+    """Write a short looping film of the expert solving `seed`; see `Loop`. `ModelError` if there is no plan or it fails."""
+    loop = Loop(out, size)
+    env, config = ManipulationEnv(task, images=False, robot=robot), ExpertConfig()
     observation, _ = env.reset(seed=seed)
     planned = plan_for(env, seed, config)
     if isinstance(planned.plan, Infeasible):
         raise ModelError(f"no plan for {task.name} with seed {seed}: {planned.plan}")
     expert = ClosedLoop(env, planned.workspace, planned.plan, config.law, planned.rng, config.budget)
-    rig = Rig(env.world, size)
-
-    def watch(env: ManipulationEnv) -> None:
-        frames.append(Image.fromarray(rig.view(env.data, task.people_camera)))
-
-    episode = rollout(env, observation, expert, "expert", watch=watch)
+    episode = rollout(env, observation, expert, "expert", watch=loop)
     if not episode.success:
         raise ModelError(f"the expert fails at {task.name} with seed {seed}: {episode.failure}")
-    chosen = [frames[round(i)] for i in np.linspace(0, len(frames) - 1, min(len(frames), FILM_FRAMES))]
-    shown = [FRAME_MS] * (len(chosen) - 1) + [LAST_FRAME_MS]
-    buffer = io.BytesIO()
-    chosen[0].save(buffer, FILMS[out.suffix], save_all=True, append_images=chosen[1:], duration=shown, loop=0, quality=45)
-    write_whole(out, buffer.getvalue())
+    loop.write()
     return episode
+
+
+class Loop:
+    """Watches a rollout for a short looping film (WebP or GIF, by the name's end): however long it takes, at most `FILM_FRAMES`
+    pictures of the people's view. Pass it as `watch`. `ModelError` for another ending."""
+
+    def __init__(self, out: Path, size: int) -> None:
+        if out.suffix not in FILMS:
+            raise ModelError(f"cannot write a looping film as {out.name}; its name has to end with {' or '.join(FILMS)}")
+        self.out, self.size = out, size
+        self._frames: list[Image.Image] = []
+
+    def __call__(self, env: ManipulationEnv) -> None:
+        self._frames.append(Image.fromarray(env.picture(self.size)))
+
+    def write(self) -> None:
+        """Write what was seen so far."""
+        count = len(self._frames)
+        chosen = [self._frames[round(i)] for i in np.linspace(0, count - 1, min(count, FILM_FRAMES))]
+        shown = [FRAME_MS] * (len(chosen) - 1) + [LAST_FRAME_MS]
+        buffer = io.BytesIO()
+        kind = FILMS[self.out.suffix]
+        chosen[0].save(buffer, kind, save_all=True, append_images=chosen[1:], duration=shown, loop=0, quality=45)
+        write_whole(self.out, buffer.getvalue())
 
 
 def _view(
@@ -205,8 +218,7 @@ class Film:
 
     def __call__(self, env: ManipulationEnv) -> None:
         side = observation_strip(env.observe(), 240)
-        big = np.asarray(Image.fromarray(env.render()).resize((240, 240), Image.Resampling.LANCZOS))
-        self.frames.append(np.concatenate([big, side], axis=1))
+        self.frames.append(np.concatenate([env.picture(240), side], axis=1))
 
     def write(self, path: Path, fps: int = 20) -> None:
         """An MP4 (H.264) of all frames."""
