@@ -160,8 +160,8 @@ def test_what_the_hand_has_before_it_is_the_same_wherever_both_are() -> None:
     rng = np.random.default_rng(0)
     told = {**PROPRIOCEPTION, OBJECT_POSITIONS: 6, OBJECT_TURNS: 12}
     policy = Policy(PolicyConfig(observe="state"), PolicyInputs("two", (), told, 2))
-    turn, move = Rotation.random(random_state=rng), rng.normal(size=3)
-    hand, objects = Rotation.random(random_state=rng), Rotation.random(2, random_state=rng)
+    turn, move = Rotation.random(rng=rng), rng.normal(size=3)
+    hand, objects = Rotation.random(rng=rng), Rotation.random(2, rng=rng)
     place, places = rng.normal(size=3), rng.normal(size=(2, 3))
 
     def low(hand: Rotation, objects: Rotation, place: np.ndarray, places: np.ndarray) -> torch.Tensor:
