@@ -160,17 +160,23 @@ def policy_folder(run: Path, which: str) -> Path:
 
 
 @lru_cache(maxsize=1)
-def _agent(run: Path, component: Component) -> PolicyAgent:
+def _agent(run: Path, component: Component, compiled: bool) -> PolicyAgent:
     torch.set_num_threads(1)
-    return PolicyAgent(run, component)
+    return PolicyAgent(run, component, compiled=compiled)
 
 
 @lru_cache(maxsize=1)
 def _actors(
-    run: Path, component: Component, robot: Robot | None, task: str | None, objects: str | None, conditions: Conditions
+    run: Path,
+    component: Component,
+    robot: Robot | None,
+    task: str | None,
+    objects: str | None,
+    conditions: Conditions,
+    compiled: bool,
 ) -> tuple[ManipulationEnv, PolicyAgent]:
     gripper = checkpoint.read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
-    agent = _agent(run, component if gripper == BINARY else CONTINUOUS)
+    agent = _agent(run, component if gripper == BINARY else CONTINUOUS, compiled)
     inputs = agent.policy.inputs
     name = with_objects(_task_of(inputs.task, task, run), objects)
     told = OBJECT_POSITIONS in inputs.proprioception
@@ -222,9 +228,9 @@ class _Witness:
 
 
 def _evaluate_one(
-    run: Path, start: Start, seed: int, component: Component, robot: Robot | None, conditions: Conditions
+    run: Path, start: Start, seed: int, component: Component, robot: Robot | None, conditions: Conditions, compiled: bool
 ) -> Outcome:
-    episode, cause = play(run, start, seed, component, robot=robot, conditions=conditions)
+    episode, cause = play(run, start, seed, component, robot=robot, conditions=conditions, compiled=compiled)
     return Outcome(
         seed=start.seed,
         success=episode.success,
@@ -245,10 +251,11 @@ def play(
     watch: Callable[[ManipulationEnv], None] = lambda env: None,
     robot: Robot | None = None,
     conditions: Conditions = USUAL,
+    compiled: bool = False,
 ) -> tuple[Episode, str]:
     """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
-    trained with, needed only where that has no known name."""
-    env, agent = _actors(run, component, robot, start.task, start.objects, conditions)
+    trained with, needed only where that has no known name; `compiled`: as for `PolicyAgent`."""
+    env, agent = _actors(run, component, robot, start.task, start.objects, conditions, compiled)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before
@@ -275,14 +282,16 @@ def evaluate(
     progress: Callable[[int, int], None] = lambda done, successes: None,
     robot: Robot | None = None,
     conditions: Conditions = USUAL,
+    compiled: bool = False,
 ) -> EvalReport:
-    """One episode from each start. The outcomes are the same for any number of workers. `robot`: as for `play`."""
+    """One episode from each start. The outcomes are the same for any number of workers. `robot`, `compiled`: as for `play`."""
     trained_robot(run, robot)
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
     task = _task_of(checkpoint.read_config(run)["task"], starts[0].task, run)
     outcomes: dict[int, Outcome] = {}
-    jobs = [partial(_evaluate_one, run, start, seed + i, component, robot, conditions) for i, start in enumerate(starts)]
+    how = (component, robot, conditions, compiled)
+    jobs = [partial(_evaluate_one, run, start, seed + i, *how) for i, start in enumerate(starts)]
     for i, outcome in finished(jobs, workers):
         outcomes[i] = outcome
         progress(len(outcomes), sum(o.success for o in outcomes.values()))
