@@ -10,7 +10,7 @@ from conftest import SOLVED
 from optimus.data.episode import Episode
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.expert import PlanFollower
+from optimus.expert import PlanFollower, TimeLaw
 from optimus.logic import Atom
 from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
@@ -164,6 +164,25 @@ def test_labels_of_a_perturbed_demonstration_lead_back_to_the_path() -> None:
     push = (pushed.executed - pushed.actions)[:-1, :3]
     answer = pushed.actions[1:, :3] - clean.actions[1 : len(pushed.actions), :3].mean(0)
     assert float((push * answer).sum()) < 0
+
+
+def test_a_late_gripper_waits_with_the_arm_and_then_obeys() -> None:
+    """A hesitation is a standstill of hand and fingers at a change of the label, which stays; as often as it is said to be."""
+    env, waits = ManipulationEnv(task("stack"), images=False), []
+    for seed in range(12):
+        pushed = demonstrate(env, seed, ExpertConfig(perturbation=Perturbation())).episode
+        assert pushed is not None
+        told, done = pushed.actions[:, 6], pushed.executed[:, 6]
+        for change in np.flatnonzero(np.diff(told)) + 1:
+            wait = int(np.argmax(done[change:] == told[change]))
+            waits.append(wait)
+            assert (done[change : change + wait] == told[change - 1]).all()
+            assert (told[change : change + wait + TimeLaw().stall] == told[change]).all()
+            assert np.abs(pushed.executed[change : change + wait, :6]).max(initial=0) < 1e-6
+        late = told != done
+        assert late.sum() == sum(waits[-2:])  # nowhere else
+    waited = np.array(waits)
+    assert waited.max() <= Perturbation().longest_hesitation and 0.25 < (waited > 0).mean() < 0.75
 
 
 def test_actions_stay_in_the_box_and_the_gripper_is_binary() -> None:

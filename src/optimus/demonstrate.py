@@ -42,7 +42,8 @@ class ExpertConfig:
             Style(**value["style"]),
             TimeLaw(**value["law"]),
             Budget(**value["budget"]),
-            None if pushed is None else Perturbation(**pushed),
+            # an earlier version's gripper was never late
+            None if pushed is None else Perturbation(**{"hesitations": 0.0, **pushed}),
             value.get("check", False),
         )
 

@@ -163,13 +163,19 @@ class PlanFollower:
         if segment is None:
             return None
         if segment.gripper_action:
-            self._waited += 1
+            # the stall is counted from when the fingers move: the gripper may be late
+            late = self._waited == 1 and self.law.gripper == BINARY and not self._moved(opening)
+            self._waited += not late
             delta = self._path.delta(target, self._path.length)
         else:
             delta = self._advance(target, tcp, min(segment.speed, self.law.speed))
             self.errors.append(self._gap(tcp))
         arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
         return np.array([*arm, self._gripper(segment)], np.float32)
+
+    def _moved(self, opening: float) -> bool:
+        """Whether the fingers have opened or shut since the present segment began."""
+        return abs(opening - self._opening) > self.law.finger_motion
 
     def _gripper(self, segment: Segment) -> float:
         """What the gripper is told: -1 open, 1 shut."""
@@ -202,7 +208,7 @@ class PlanFollower:
             return False
         if segment.gripper_action:
             # somebody else may have had the last word on what was done: the fingers must really have moved
-            return self._waited >= law.stall and abs(opening - self._opening) > law.finger_motion
+            return self._waited >= law.stall and self._moved(opening)
         if self._s < self._path.length:
             return False
         if not self._stops_at_end():

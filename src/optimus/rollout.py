@@ -57,6 +57,12 @@ class Perturbation:
     gripper at work is ever seen at a standstill, and a policy that has come to one stays there."""
     longest_pause: int = 12
     """[steps]"""
+    hesitations: float = 0.5
+    """Probability that the gripper, told to open or to shut, does so late: until then all stands still and the answer is to act.
+    Without it, a hand that has come to rest where it is to shut, or to open, is only ever seen staying as it is (after a release),
+    and so a policy stays there for ever."""
+    longest_hesitation: int = 8
+    """[steps]"""
 
 
 class Pushes:
@@ -67,6 +73,8 @@ class Pushes:
         self.config, self._rng, self._env = config, rng, env
         self._shove, self._left = np.zeros(4), 0
         self._still = 0
+        self._told, self._gripper, self._late = 0.0, 0.0, 0
+        """What the gripper is told to do (0: nothing yet), what it does, and for how many steps more it will not obey."""
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(n,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
@@ -84,7 +92,19 @@ class Pushes:
         if self._still and slack > 0:
             noise[:GRIPPER] -= label[:GRIPPER]
         self._still = max(0, self._still - 1)
-        return noise
+        return noise if self._acts(label) else np.append(-label[:GRIPPER], self._gripper - label[GRIPPER]).astype(np.float64)
+
+    def _acts(self, label: NDArray[np.float32]) -> bool:
+        """Whether the gripper does now what it is told, or is late."""
+        told, config = float(label[GRIPPER]), self.config
+        late, steps = self._rng.uniform() < config.hesitations, int(self._rng.integers(1, config.longest_hesitation + 1))
+        if told != self._told:
+            self._late = steps if late and self._told else 0
+            self._told = told
+        if self._late == 0:
+            self._gripper = told
+        self._late = max(0, self._late - 1)
+        return self._gripper == told
 
     def _arm(self, moved: NDArray[np.float64], slack: float) -> NDArray[np.float64]:
         """The arm's part of an action that moves the hand by `moved` `(4,)`: position [m], turn about the vertical [rad]."""
