@@ -17,10 +17,12 @@ from optimus.errors import ModelError, UnknownNameError
 from optimus.expert import TimeLaw
 from optimus.logic import Atom
 from optimus.motion.plan import Plan
+from optimus.objects.shapes import cup
 from optimus.planner import Budget, solve
 from optimus.predicates import PREDICATES, holds
 from optimus.rollout import rollout
 from optimus.skills import SKILLS, Workspace
+from optimus.task import Task
 from optimus.tasks import task
 
 DOCS = Path(__file__).parent.parent / "docs"
@@ -54,6 +56,10 @@ def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
     problem = swap.SWAP.problem(0)
     with pytest.raises(ModelError, match=r"the goal names lid; the scene has .*left"):
         replace(problem, goal=frozenset({Atom("On", ("lid", "left"))}))
+    with pytest.raises(ModelError, match=r"On\(left, cup\) is asked for, but left is no movable; those are cup, block"):
+        replace(problem, goal=frozenset({Atom("On", ("left", "cup"))}))
+    with pytest.raises(ModelError, match=r"Under\(cup, left\) is asked for; what can be is .*On"):
+        replace(problem, goal=frozenset({Atom("Under", ("cup", "left"))}))
     with pytest.raises(ModelError, match="poses"):
         replace(problem, poses={})
     together = replace(problem, poses=dict.fromkeys(problem.poses, problem.poses["cup"]))
@@ -62,6 +68,18 @@ def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
         ManipulationEnv(overlapping, images=False).reset(seed=0)
     with pytest.raises(UnknownNameError, match="NOTHING"):
         task("swap_task:NOTHING")
+
+
+def test_what_the_hand_does_not_span_is_said_and_what_it_does_is_moved(swap: ModuleType) -> None:
+    def with_cup(radius: float) -> Task:
+        movables = (replace(swap.SCENE.movables[0], shape=cup(radius, 0.075, (1, 0, 0, 1))), *swap.SCENE.movables[1:])
+        scene = replace(swap.SCENE, movables=movables)
+        return replace(swap.SWAP, draw=lambda rng: replace(swap.draw(rng), scene=scene))
+
+    with pytest.raises(ModelError, match=r"cup is 76 mm across .* panda opens 80 mm"):
+        with_cup(0.038).problem(0)
+    env = ManipulationEnv(with_cup(0.036), images=False)
+    assert all(demonstrate(env, seed, ExpertConfig()).success for seed in range(3))
 
 
 def test_the_skill_of_the_guide_is_planned_with_and_done() -> None:

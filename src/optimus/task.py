@@ -12,12 +12,15 @@ from optimus.data.episode import TASKS_OWN
 from optimus.errors import ModelError
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
-from optimus.predicates import Released, holds
+from optimus.predicates import PREDICATES, On, Released, holds, kinds_of
 from optimus.robots import Robot
 from optimus.scene import Camera, Scene
 from optimus.se3 import Pose
 from optimus.state import State
 from optimus.words import instruction, names_in
+
+ROOM_TO_SPARE = 0.007
+"""Between the open fingers, beyond the thing between them [m]: with 4 mm they get stuck on a cup, with 8 mm they do not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +42,15 @@ class Problem:
         unknown = sorted({name for atom in self.goal for name in atom.args} - known)
         if unknown:
             raise ModelError(f"the goal names {', '.join(unknown)}; the scene has {', '.join(sorted(known))}")
+        kinds = kinds_of(self.scene)
+        for atom in sorted(self.goal):
+            if atom.predicate not in PREDICATES:
+                raise ModelError(f"{atom} is asked for; what can be is {', '.join(sorted(PREDICATES))}")
+            for name, kind in zip(atom.args, PREDICATES[atom.predicate].kinds, strict=True):
+                if name not in kinds[kind]:
+                    raise ModelError(f"{atom} is asked for, but {name} is no {kind}; those are {', '.join(kinds[kind]) or 'none'}")
+        for name in sorted({atom.args[0] for atom in self.goal if atom.predicate == On.name}):
+            _require_spanned(self.scene, name)
 
     @cached_property
     def instruction(self) -> str:
@@ -58,6 +70,22 @@ class Problem:
     def paper_success(self, state: State) -> bool:
         """The paper's rule, which never asks for release."""
         return all(holds(self.scene, state, atom) for atom in self.goal if atom.predicate != Released.name)
+
+
+def _require_spanned(scene: Scene, name: str) -> None:
+    """`ModelError` if the hand cannot open round a thing to be moved. Verified grasps were tried in physics, others hold across."""
+    shape, opens = scene.shape_of(name), 2 * scene.robot.finger_travel
+    if shape.verified:
+        return
+    if not shape.grasps:
+        raise ModelError(f"{name} has no grasps: only what `Shape.grasps` says how to take can be moved")
+    across = min(2 * np.abs(grasp.pose.matrix[:, 1]) @ np.array(shape.half_extents) for grasp in shape.grasps)
+    if across > opens - ROOM_TO_SPARE:
+        hand = f"the hand of {scene.robot.name} opens {1000 * opens:.0f} mm and needs {1000 * ROOM_TO_SPARE:.0f} mm to spare"
+        raise ModelError(
+            f"{name} is {1000 * across:.0f} mm across where it is to be taken; {hand}: make it smaller, or import it as an object "
+            "(docs/add_an_object.md)"
+        )
 
 
 Objects = Mapping[str, Shape]

@@ -70,7 +70,7 @@ def show(
         episode = show_film(chosen, seed, out, chosen_robot(robot))
         text = f"{', '.join(episode.skeleton) or chosen.summary}: {len(episode)} steps"
         return say({"film": str(out), "shows": text, "steps": len(episode)}, json, f"{text}\n{out}")
-    out = out or Path(f"{task}-{seed}{'-plan' if plan else ''}.png")
+    out = out or Path(f"{task.replace(':', '-')}-{seed}{'-plan' if plan else ''}.png")
     if plan:
         found = show_plan(chosen, seed, out, ExpertConfig(check=check), chosen_robot(robot))
         text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))

@@ -46,7 +46,7 @@ def _use(run: Path, config: dict[str, Any]) -> str:
 ```python
 import optimus
 
-policy = optimus.load_policy("{run.name}")
+policy = optimus.load_policy("{run.name}")  # the path of this folder
 policy.reset()
 action = policy.act(observation)  # at every step, 20 a second
 ```

@@ -54,4 +54,5 @@ def _named(name: str) -> Task:
     try:
         return getattr(import_module(module), attribute)
     except (ImportError, AttributeError) as error:
-        raise UnknownNameError("task", f"{name} ({error})", TASKS) from error
+        hint = f"; put its folder into PYTHONPATH: {error}" if isinstance(error, ModuleNotFoundError) else f": {error}"
+        raise UnknownNameError("task", f"{name} (module:NAME{hint})", TASKS) from error
