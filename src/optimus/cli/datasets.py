@@ -92,7 +92,7 @@ def _lines(about: Description, html: Path | None) -> list[str]:
     for heading, found in named.items():
         lines += [heading, *(f"  {count:>6}  {name}" for name, count in found.items())] if found else []
     if about.starts:
-        lines.append("starts: x [m], y [m], cells reached (if drawn evenly)")
+        lines.append("starts: x [m], y [m], cells reached, of 64 (if drawn evenly)")
     for name, s in about.starts.items():
         spans = f"{s.low[0]:.3f} to {s.high[0]:.3f}, {s.low[1]:.3f} to {s.high[1]:.3f}"
         lines.append(f"  {name:<12} {spans}, {s.cells} ({s.expected_cells:.0f})")

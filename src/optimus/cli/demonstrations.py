@@ -20,7 +20,7 @@ from optimus.cli.options import (
     Workers,
     chosen_robot,
 )
-from optimus.cli.output import bar, say
+from optimus.cli.output import bar, counts, say
 
 if TYPE_CHECKING:
     from optimus.collect import Tally
@@ -100,7 +100,7 @@ def collect(
     )
     with bar(episodes, f"collect {task}", "demo") as shown:
         result = run_collect(config, lambda tally: _show(shown, tally))
-    text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {result.failures or 'none'}"
+    text = f"{result.demonstrations} demonstrations of {result.attempts} attempts in {out}; failures: {counts(result.failures)}"
     say({"dataset": str(out), **asdict(result)}, json, text)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json as jsonlib
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -27,6 +27,11 @@ def rate(report: dict[str, Any]) -> str:
     states = report.get("distinct_states", report["episodes"])
     repeated = f", from {states} distinct initial states" if states < report["episodes"] else ""
     return f"{report['successes']} of {report['episodes']} ({100 * low:.0f} to {100 * high:.0f} %{repeated})"
+
+
+def counts(of: Mapping[str, int]) -> str:
+    """`12 never grasped, 3 dropped`, the commonest first; `none`."""
+    return ", ".join(f"{n} {what}" for what, n in sorted(of.items(), key=lambda item: -item[1])) or "none"
 
 
 def table(result: dict[str, Any]) -> str:

@@ -22,7 +22,7 @@ from optimus.cli.options import (
     Workers,
     chosen_robot,
 )
-from optimus.cli.output import StageBars, bar, counter, rate, say
+from optimus.cli.output import StageBars, bar, counter, counts, rate, say
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
@@ -266,7 +266,7 @@ def evaluate(
         results[which] = report.as_dict()
         if videos is not None:
             film_outcomes(folder, starts, results[which], seed, component, videos, arm, conditions=conditions)
-    text = "\n".join(f"{which}: {rate(r)}; failures: {r['failures']}" for which, r in results.items())
+    text = "\n".join(f"{which}: {rate(r)}; failures: {counts(r['failures'])}" for which, r in results.items())
     said = results if checkpoint == "both" else results[checkpoint]
     say({"run": str(run), **said}, json, text if checkpoint == "both" else text.partition(": ")[2])
 
