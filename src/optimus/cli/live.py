@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from typing import Annotated
 
@@ -38,6 +39,7 @@ def view(
         port: of the page; 0 takes any that is free
         host: the address to serve at; the default lets in this machine alone, 0.0.0.0 everybody
     """
+    sys.stderr.write("optimus: getting it ready to be seen; the address follows\n")
     try:
         from optimus.pretrained import run_folder
         from optimus.view import Address, open_view
