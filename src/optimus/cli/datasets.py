@@ -70,6 +70,8 @@ def _play(store: EpisodeStore, seed: int, out: Path, overwrite: bool, json: bool
 
 def _lines(about: Description, html: Path | None) -> list[str]:
     """The description for a terminal: a line a quantity, lists indented below."""
+    from optimus.data.describe import CELLS
+
     shortest, longest = min(about.lengths), max(about.lengths)
     cameras = ", ".join(f"{name} {shape[0]} x {shape[1]}" for name, shape in about.cameras.items()) or "none"
     lines = [
@@ -92,7 +94,7 @@ def _lines(about: Description, html: Path | None) -> list[str]:
     for heading, found in named.items():
         lines += [heading, *(f"  {count:>6}  {name}" for name, count in found.items())] if found else []
     if about.starts:
-        lines.append("starts: x [m], y [m], cells reached, of 64 (if drawn evenly)")
+        lines.append(f"starts: x [m], y [m], cells reached, of {CELLS**2} (if drawn evenly)")
     for name, s in about.starts.items():
         spans = f"{s.low[0]:.3f} to {s.high[0]:.3f}, {s.low[1]:.3f} to {s.high[1]:.3f}"
         lines.append(f"  {name:<12} {spans}, {s.cells} ({s.expected_cells:.0f})")
