@@ -12,10 +12,13 @@ import numpy as np
 import pytest
 
 from optimus.cli import main
+from optimus.collect import CollectConfig, collect
 from optimus.dagger import DaggerConfig, dagger
+from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 from optimus.learn.gradient import LossConfig, Runtime
+from optimus.learn.presets import preset
 from optimus.learn.train import TrainConfig
 from optimus.statistics import wilson
 from optimus.tasks.stack import STACK
@@ -88,6 +91,20 @@ def test_stopped_in_every_stage_it_ends_the_same(taught: tuple[Path, Path], whol
     assert bytes_of(taught[0]) == data  # the demonstrations are never touched
     with pytest.raises(DatasetError, match=r"episodes = 2, not 3"):
         dagger(taught[0], run, LESSON, replace(ROUNDS, episodes=3))
+
+
+def test_a_policy_that_is_told_is_corrected_without_images(tmp_path: Path) -> None:
+    """Nothing is rendered, and what the policy was told stands in the episodes once, as the places of the objects."""
+    collect(CollectConfig("stack", tmp_path / "data", 4, workers=1, images=False))
+    curate(tmp_path / "data")
+    told = replace(preset("quick-mlp").policy, observe="state")
+    dagger(tmp_path / "data", tmp_path / "run", LESSON, ROUNDS, policy=told)
+    added = EpisodeStore.open(tmp_path / "run" / "dagger" / "1" / "data")
+    episodes = [added.read(seed) for seed in added.seeds]
+    assert added.cameras == () and len(episodes) == 2
+    assert any(np.any(e.actions != e.executed) for e in episodes)
+    shown = EpisodeStore.open(tmp_path / "data")
+    assert all(e.observations.keys() == shown.read(shown.seeds[0]).observations.keys() for e in episodes)
 
 
 def test_as_many_plain_demonstrations_instead(

@@ -82,7 +82,8 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
     with pytest.raises(KeyboardInterrupt):
         reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=stop))
     unfinished = json.loads((tmp_path / "results.json").read_text())
-    assert not unfinished["complete"] and "Not finished" in (tmp_path / "table.md").read_text()
+    assert not unfinished["complete"] and unfinished["missing"] == ["Stack OPTIMUS"]
+    assert "missing: Stack OPTIMUS." in (tmp_path / "table.md").read_text()
     done = {p: p.stat().st_mtime_ns for p in (*tmp_path.rglob("*.safetensors"), *(tmp_path / "cells").iterdir())}
     stages: list[str] = []
     found = reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=lambda stage, *_: stages.append(stage)))
@@ -106,6 +107,20 @@ def _check_written(out: Path, found: dict[str, object]) -> None:
     assert [int(r["episodes"]) for r in rows] == [m["episodes"] for m in measured]
     assert "proves the path" in (out / "table.md").read_text()
     assert imread(out / "plot.png").std() > 0
+
+
+def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = [Cell(row, "TAMP-task", ExpertWork("stack")) for row in ("Stack", "Stack again", "StackThree")]
+    monkeypatch.setitem(TABLES, "table-b2", Table("table-b2", "Rows", tuple(rows)))
+    tiny = replace(budget("smoke"), expert_episodes=1)
+    filled = lambda found: [c["row"] for c in found["cells"]]  # noqa: E731
+    assert filled(reproduce(Site("table-b2", tmp_path, tiny, workers=1), ["Stack again"])) == ["Stack again"]
+    found = reproduce(Site("table-b2", tmp_path, tiny, workers=1), ["Stack"])
+    assert filled(found) == ["Stack", "Stack again"] and found["missing"] == ["StackThree TAMP-task"]
+    with pytest.raises(UnknownNameError, match=r"row 'Stak'.*StackThree"):
+        reproduce(Site("table-b2", tmp_path, tiny), ["Stak"])
 
 
 def test_an_unknown_table_is_named(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.control import CONTROLS, require_control
-from optimus.correct import Corrections, Turns, require_same_arm
+from optimus.correct import Corrections, Turns, is_told, require_same_arm
 from optimus.data.episode import BINARY, OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
@@ -114,15 +114,16 @@ class _Outcome:
 
 
 @lru_cache(maxsize=2)
-def _env(task: str, control: str, robot: Robot | None, images: bool, gripper: str) -> ManipulationEnv:
-    return ManipulationEnv(task_named(task), images, control=control, robot=robot, gripper=gripper)
+def _env(task: str, control: str, robot: Robot | None, images: bool, gripper: str, told: bool) -> ManipulationEnv:
+    return ManipulationEnv(task_named(task), images, control=control, robot=robot, positions=told, gripper=gripper)
 
 
 def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     """One seed, in a worker: its episode or the reason of its failure is written before this returns."""
     began = time.process_time()
-    env = _env(config.task, config.control, config.robot, config.images, config.expert.law.gripper)
     turns = config.turns
+    told = turns is not None and is_told(turns.policy)
+    env = _env(config.task, config.control, config.robot, config.images, config.expert.law.gripper, told)
     env.cpu.clear()
     attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))
     cpu = {"planning": attempt.plan_seconds, **env.cpu}
@@ -149,7 +150,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     require_backend(config.backend)
     if config.turns is not None:
         require_same_arm(config.turns, task, control, robot)
-        if not config.images:
+        if not config.images and not is_told(config.turns.policy):
             raise CheckpointError("a policy looks at images: corrections cannot be collected without them")
     cameras = compile_scene(task.problem(config.seed, config.robot).scene).image_cameras if config.images else ()
     _require_writable(config.out)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import Observation
+from optimus.data.episode import OBJECT_POSITIONS, Observation
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
@@ -53,6 +53,14 @@ def _agent(run: Path) -> PolicyAgent:
 
     torch.set_num_threads(1)
     return PolicyAgent(run)
+
+
+@lru_cache(maxsize=1)
+def is_told(run: Path) -> bool:
+    """Whether a policy is told how the objects lie, and looks at nothing."""
+    from optimus.learn import checkpoint
+
+    return OBJECT_POSITIONS in checkpoint.load(run).inputs.proprioception
 
 
 def require_same_arm(turns: Turns, task: Task, control: str, robot: str) -> None:

@@ -10,7 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.control import JOINT_SCALE
-from optimus.data.episode import GRIPPER, INSTRUCTION, RECEPTACLE, STATE_COLUMNS, VIEWS, Episode, Observation
+from optimus.data.episode import (
+    GRIPPER,
+    INSTRUCTION,
+    OBJECT_POSITIONS,
+    OBJECT_TURNS,
+    RECEPTACLE,
+    STATE_COLUMNS,
+    VIEWS,
+    Episode,
+    Observation,
+)
 from optimus.env import RECORDED_STATE, ManipulationEnv
 from optimus.predicates import holds
 from optimus.world import World
@@ -174,7 +184,8 @@ def failure_of(env: ManipulationEnv, truncated: bool) -> str:
 
 
 def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: str, success: bool, failure: str) -> Episode:
-    keys = log.observations[0].keys()
+    # what the objects' places and the states say is not written a second time as an observation
+    keys = [k for k in log.observations[0] if k not in (OBJECT_POSITIONS, OBJECT_TURNS)]
     return Episode(
         task=env.task.name,
         seed=env.episode_seed,

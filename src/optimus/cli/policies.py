@@ -105,7 +105,7 @@ def train(
         for dataset in datasets:
             _curate_if_needed(dataset)
     if dagger > 0:
-        _require_plain_lesson(datasets, corrections, initial, observe)
+        _require_plain_lesson(datasets, corrections, initial)
         rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
         _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, json)
         return
@@ -116,14 +116,12 @@ def train(
         say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
 
 
-def _require_plain_lesson(
-    datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None, observe: Literal["images", "state"]
-) -> None:
+def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None) -> None:
     """`DatasetError` for what does not go with --dagger."""
     from optimus.errors import DatasetError
 
-    if len(datasets) != 1 or corrections or initial or observe == "state" or int(os.environ.get("WORLD_SIZE", "1")) > 1:
-        raise DatasetError("--dagger takes one dataset and one process, without --corrections, --initial and --observe state")
+    if len(datasets) != 1 or corrections or initial or int(os.environ.get("WORLD_SIZE", "1")) > 1:
+        raise DatasetError("--dagger takes one dataset and one process, without --corrections and --initial")
 
 
 def _rounds(

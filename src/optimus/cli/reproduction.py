@@ -21,6 +21,7 @@ TableName = Annotated[
 def reproduce(
     name: TableName,
     out: Path,
+    rows: tuple[str, ...] = (),
     budget: Literal["smoke", "cpu", "gpu"] = "smoke",
     seed: int = 0,
     seeds: int | None = None,
@@ -34,9 +35,11 @@ def reproduce(
     Try:
         optimus reproduce table-b3 --out results/b3 --budget cpu
         optimus reproduce figure-a1 --out results/a1 --budget smoke
+        optimus reproduce table-b2 --out results/b2 --budget cpu --rows PickPlace Stack
 
     Args:
         out: the folder for everything; `table.md`, `table.csv`, `plot.png` and `results.json` in it are the answer
+        rows: only these, named as the table names them; a later call may fill others
         budget: smoke proves the path in minutes and says nothing of success; cpu is for two cores overnight; gpu for one large GPU
         seed: of the first demonstration, of the split, and of the first policy
         seeds: policies trained for each row, from one seed after another, in place of the budget's
@@ -49,6 +52,6 @@ def reproduce(
     chosen = budget_named(budget)
     chosen = replace(chosen, seeds=chosen.seeds if seeds is None else seeds, device=device or chosen.device)
     bars = StageBars()
-    found = run_all(Site(name, out, chosen, seed, workers, bars))
+    found = run_all(Site(name, out, chosen, seed, workers, bars), rows)
     bars.close()
     say(found, json, (out / "table.md").read_text())

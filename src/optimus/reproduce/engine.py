@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import make_folder, write_json
@@ -19,23 +21,32 @@ def table_named(name: str) -> Table:
     return TABLES[name]
 
 
-def reproduce(site: Site) -> dict[str, Any]:
-    """Fill the table of `site`, from wherever an earlier call was stopped. Returns what `OUT/results.json` then says."""
+def reproduce(site: Site, rows: Sequence[str] = ()) -> dict[str, Any]:
+    """Fill the table of `site`, or only some of its rows, from wherever an earlier call was stopped. Returns what
+    `OUT/results.json` then says: all that is there, of other rows too. `UnknownNameError` if a row is none of the table's."""
     table = table_named(site.table)
+    for row in rows:
+        if row not in table.rows:
+            raise UnknownNameError("row", row, table.rows)
     site.open()
     make_folder(site.out / "cells")
-    results: list[dict[str, Any]] = []
-    for i, cell in enumerate(table.cells):
-        site.progress("cells", i, len(table.cells), {"next": cell.name})
-        results.append(_filled(site, table, cell))
-        _write(site, table, results)
-    site.progress("cells", len(table.cells), len(table.cells), {})
+    chosen = [cell for cell in table.cells if not rows or cell.row in rows]
+    for i, cell in enumerate(chosen):
+        site.progress("cells", i, len(chosen), {"next": cell.name})
+        _filled(site, table, cell)
+        _write(site, table, [_filled(site, table, c) for c in table.cells if _file(site, c).exists()])
+    site.progress("cells", len(chosen), len(chosen), {})
     return json.loads((site.out / "results.json").read_text())
+
+
+def _file(site: Site, cell: Cell) -> Path:
+    """Where a cell's measurements are put."""
+    return site.out / "cells" / f"{slug(cell.name)}.json"
 
 
 def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     """The cell, with its measurements."""
-    path = site.out / "cells" / f"{slug(cell.name)}.json"
+    path = _file(site, cell)
     if path.exists():
         return json.loads(path.read_text())
     before = site.hours
@@ -60,6 +71,7 @@ def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
         **site.record,
         "hours": site.hours,
         "complete": len(results) == len(table.cells),
+        "missing": [cell.name for cell in table.cells if not _file(site, cell).exists()],
         "cells": results,
     }
     write_json(site.out / "results.json", found)

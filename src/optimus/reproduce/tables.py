@@ -45,6 +45,11 @@ class Table:
     cells: tuple[Cell, ...]
 
     @property
+    def rows(self) -> tuple[str, ...]:
+        """Its rows' names."""
+        return tuple(dict.fromkeys(cell.row for cell in self.cells))
+
+    @property
     def papers(self) -> dict[str, dict[str, float]]:
         """The paper's figures, row -> column -> percent, or seconds."""
         return papers_figures()[self.name]

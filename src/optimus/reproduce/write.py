@@ -75,7 +75,7 @@ def _about(found: dict[str, Any]) -> str:
         f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}. {versions}.",
         f"{found['hours']:.2f} hours, that of other work on the machine included.",
     ]
-    return " ".join(parts) + ("" if found["complete"] else " **Not finished.**")
+    return " ".join(parts) + ("" if found["complete"] else f" **Not finished; missing: {', '.join(found['missing'])}.**")
 
 
 def _of_times(budget: dict[str, Any]) -> list[str]:
