@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from conftest import SOLVED
 from optimus.data.episode import Episode
@@ -164,6 +165,21 @@ def test_labels_of_a_perturbed_demonstration_lead_back_to_the_path() -> None:
     push = (pushed.executed - pushed.actions)[:-1, :3]
     answer = pushed.actions[1:, :3] - clean.actions[1 : len(pushed.actions), :3].mean(0)
     assert float((push * answer).sum()) < 0
+
+
+def test_a_hand_pushed_out_of_the_upright_is_answered_by_turning_it_back() -> None:
+    """By scipy: the label turns about the axis that brings the hand's own axis back to the vertical."""
+    env, tilts, answers = ManipulationEnv(task("stack"), images=False), [], []
+    for seed in range(6):
+        pushed = demonstrate(env, seed, ExpertConfig(perturbation=Perturbation())).episode
+        assert pushed is not None and pushed.success
+        axis = Rotation.from_quat(pushed.observations["robot0_eef_quat"]).apply((0.0, 0.0, 1.0))
+        tilts.append(np.cross(axis, (0.0, 0.0, -1.0))[:, :2])
+        answers.append(pushed.actions[:, 3:5])
+    tilt, answer = np.concatenate(tilts), np.concatenate(answers)
+    assert 0.01 < np.linalg.norm(tilt, axis=1).mean() < 0.1  # [rad]
+    slopes = [np.polyfit(tilt[:, k], answer[:, k], 1)[0] for k in (0, 1)]
+    assert min(slopes) > 0.3 and min(np.corrcoef(tilt[:, k], answer[:, k])[0, 1] for k in (0, 1)) > 0.5
 
 
 def test_a_late_gripper_waits_with_the_arm_and_then_obeys() -> None:

@@ -23,6 +23,10 @@ INVALID = "invalid plan"
 """How the failure of an attempt begins whose plan did not stand up to the check."""
 
 
+_BEFORE: dict[str, float] = {"hesitations": 0.0, "tremble_tilt": 0.0, "shove_tilt": 0.0}
+"""What an earlier version's perturbation had none of."""
+
+
 @dataclass(frozen=True)
 class ExpertConfig:
     """Everything about how the expert plans and moves."""
@@ -42,8 +46,7 @@ class ExpertConfig:
             Style(**value["style"]),
             TimeLaw(**value["law"]),
             Budget(**value["budget"]),
-            # an earlier version's gripper was never late
-            None if pushed is None else Perturbation(**{"hesitations": 0.0, **pushed}),
+            None if pushed is None else Perturbation(**{**_BEFORE, **pushed}),
             value.get("check", False),
         )
 

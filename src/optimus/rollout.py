@@ -56,8 +56,12 @@ class Perturbation:
     """
 
     tremble: float = 0.004
+    tremble_tilt: float = 0.01
+    """About the horizontal axes. Demonstrations hold the hand upright, so without this none says what to do when it is not: small
+    errors of a policy add up to a tilt that it has never seen, and all else goes wrong with it."""
     tremble_yaw: float = 0.03
     shove: float = 0.03
+    shove_tilt: float = 0.08
     shove_yaw: float = 0.20
     shoves: float = 0.05
     """Probability that a shove begins at a step."""
@@ -81,7 +85,7 @@ class Pushes:
 
     def __init__(self, config: Perturbation, rng: np.random.Generator, env: ManipulationEnv) -> None:
         self.config, self._rng, self._env = config, rng, env
-        self._shove, self._left = np.zeros(4), 0
+        self._shove, self._left = np.zeros(6), 0
         self._still = 0
         self._told, self._gripper, self._late = 0.0, 0.0, 0
         """What the gripper is told to do (0: nothing yet), what it does, and for how many steps more it will not obey."""
@@ -89,8 +93,8 @@ class Pushes:
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(n,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
         c, rng = self.config, self._rng
-        tremble = rng.normal(size=4) * (c.tremble, c.tremble, c.tremble, c.tremble_yaw)
-        begins, shove = rng.uniform() < c.shoves, rng.normal(size=4) * (c.shove, c.shove, c.shove, c.shove_yaw)
+        tremble = rng.normal(size=6) * (*3 * (c.tremble,), *2 * (c.tremble_tilt,), c.tremble_yaw)
+        begins, shove = rng.uniform() < c.shoves, rng.normal(size=6) * (*3 * (c.shove,), *2 * (c.shove_tilt,), c.shove_yaw)
         if begins and self._left == 0:
             self._shove, self._left = shove / c.shove_steps, c.shove_steps
         moved = tremble + (self._shove if self._left else 0.0)
@@ -117,10 +121,9 @@ class Pushes:
         return self._gripper == told
 
     def _arm(self, moved: NDArray[np.float64], slack: float) -> NDArray[np.float64]:
-        """The arm's part of an action that moves the hand by `moved` `(4,)`: position [m], turn about the vertical [rad]."""
+        """The arm's part of an action that moves the hand by `moved` `(6,)`: position [m], rotation vector [rad]."""
         env = self._env
-        twist = np.array([*moved[:3], 0.0, 0.0, moved[3]])
-        noise = env.controller.action_for(twist, env.data)
+        noise = env.controller.action_for(moved, env.data)
         if env.control == "joint":
             noise += slack * self._rng.normal(size=noise.shape) * JOINT_TREMBLE / JOINT_SCALE
         return noise
