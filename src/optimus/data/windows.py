@@ -81,6 +81,20 @@ class Track:
     objects: NDArray[np.float32]
 
 
+@dataclass(frozen=True, eq=False)
+class Places:
+    """Where B runs of F frames are."""
+
+    tracks: NDArray[np.int64]
+    """`(B,)`: the numbers of their tracks."""
+    frames: NDArray[np.int64]
+    """`(B, F)`: in their tracks, some of them negative: those repeat the first frame."""
+    steps: NDArray[np.int64]
+    """`(B, F)`: the same in the arrays of all tracks."""
+    following: NDArray[np.int64]
+    """`(B, F, ahead)`: the steps after each frame; after the last one, itself again."""
+
+
 class Windows:
     """All windows of some episodes of a dataset, and of `extra` ones of other datasets with the same arrays."""
 
@@ -99,6 +113,17 @@ class Windows:
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them.
         self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self.tracks])
+        self.lengths = np.array([len(t.actions) for t in self.tracks])
+        self.starts = np.cumsum(self.lengths) - self.lengths
+        """Of each track, in the arrays of all."""
+        joined = lambda arrays: np.concatenate(list(arrays))  # noqa: E731
+        self.actions, self.weight, self.objects = (
+            joined(getattr(t, name) for t in self.tracks) for name in ("actions", "weight", "objects")
+        )
+        """Of all steps: labels `(labels, n)`, their weights `(labels,)`, positions of objects [m] `(labels, k, 3)`, NaN where an
+        episode has fewer."""
+        self.proprioception = {name: joined(t.proprioception[name] for t in self.tracks) for name in self.tracks[0].proprioception}
+        """All low-dimensional observations, name -> `(labels, n)`."""
 
     def __len__(self) -> int:
         """The number of different runs."""
@@ -112,23 +137,7 @@ class Windows:
     @property
     def labels(self) -> int:
         """The number of actions in all episodes."""
-        return sum(len(t.actions) for t in self.tracks)
-
-    @property
-    def actions(self) -> NDArray[np.float32]:
-        """All labels, `(labels, n)`."""
-        return np.concatenate([t.actions for t in self.tracks])
-
-    @property
-    def objects(self) -> NDArray[np.float32]:
-        """All positions of objects [m], `(labels, k, 3)`; NaN where an episode has fewer."""
-        return np.concatenate([t.objects for t in self.tracks])
-
-    @property
-    def proprioception(self) -> dict[str, NDArray[np.float32]]:
-        """All low-dimensional observations, name -> `(labels, n)`."""
-        names = self.tracks[0].proprioception
-        return {name: np.concatenate([t.proprioception[name] for t in self.tracks]) for name in names}
+        return len(self.actions)
 
     def sample(self, rng: np.random.Generator, runs: int) -> Batch:
         """Runs drawn uniformly, each cropped anywhere (one offset per run and camera)."""
@@ -150,32 +159,34 @@ class Windows:
 
     def batch(self, indices: NDArray[np.integer[Any]] | Sequence[int], rng: np.random.Generator | None = None) -> Batch:
         """The runs of these indices; cropped in the centre if there is no `rng`."""
-        places = [(self.tracks[number], frames) for number, frames in map(self.place, indices)]
+        places = self.places(np.asarray(indices))
         side, offsets = self.config.crop, self.offsets(len(indices), rng)
         images = {}
         for camera in self.cameras:
-            out = np.empty((len(places), self.config.frames, side, side, 3), np.uint8)
-            for run, (track, frames), corner in zip(out, places, offsets[camera], strict=True):
-                _copy(run, track.images[camera], corner, frames)
+            out = np.empty((len(indices), self.config.frames, side, side, 3), np.uint8)
+            for run, number, frames, corner in zip(out, places.tracks, places.frames, offsets[camera], strict=True):
+                _copy(run, self.tracks[number].images[camera], corner, frames)
             images[camera] = out
-        weight = np.stack([np.where(frames < 0, 0, track.weight[frames.clip(0)]) for track, frames in places])
-        names = self.tracks[0].proprioception
+        steps = places.steps
         return Batch(
             images=images,
             shifts=self.shifts(offsets),
-            proprioception={n: np.stack([t.proprioception[n][f.clip(0)] for t, f in places]) for n in names},
-            actions=np.stack([track.actions[frames.clip(0)] for track, frames in places]),
-            weight=weight.astype(np.float32),
-            objects=np.stack([track.objects[frames.clip(0)] for track, frames in places]),
-            ahead=np.stack([_ahead(track.actions, frames, self.config.ahead) for track, frames in places]),
+            proprioception={name: values[steps] for name, values in self.proprioception.items()},
+            actions=self.actions[steps],
+            weight=self.weight[steps] * (places.frames >= 0),
+            objects=self.objects[steps],
+            ahead=self.actions[places.following],
         )
 
-    def place(self, index: int | np.integer[Any]) -> tuple[int, NDArray[np.int64]]:
-        """The number of the track of a run and its frames, some of them negative: those repeat the first frame."""
-        number = int(np.searchsorted(self._ends, index, side="right"))
-        last = len(self.tracks[number].actions) - 1
-        end = last - (int(self._ends[number]) - 1 - int(index))
-        return number, np.arange(end - self.config.frames + 1, end + 1)
+    def places(self, indices: NDArray[np.integer[Any]]) -> Places:
+        """Where the runs of these indices are."""
+        tracks = np.searchsorted(self._ends, indices, side="right")
+        last = self.lengths[tracks] - self._ends[tracks] + indices
+        frames = last[:, None] + np.arange(1 - self.config.frames, 1)
+        steps = self.starts[tracks, None] + frames.clip(0)
+        ends = self.starts[tracks] + self.lengths[tracks] - 1
+        following = steps[:, :, None] + np.arange(1, self.config.ahead + 1)
+        return Places(tracks, frames, steps, following.clip(max=ends[:, None, None]))
 
 
 def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any]], frames: NDArray[np.int64]) -> None:
@@ -184,11 +195,6 @@ def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any
     source.crop(out[before:], int(frames[0]) + before, corner)
     if before:
         out[:before] = out[before]
-
-
-def _ahead(actions: NDArray[np.float32], frames: NDArray[np.int64], count: int) -> NDArray[np.float32]:
-    """`(F, count, n)`: the labels of the steps after each of some frames."""
-    return actions[(frames.clip(0)[:, None] + np.arange(1, count + 1)).clip(max=len(actions) - 1)]
 
 
 def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int, turned: bool) -> Track:

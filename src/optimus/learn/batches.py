@@ -58,25 +58,17 @@ class ResidentWindows:
 
     def __init__(self, windows: Windows, device: torch.device) -> None:
         self._windows, self._device = windows, device
-        tracks = windows.tracks
-        self._starts = np.cumsum([0, *(len(t.actions) for t in tracks)])
         joined = lambda arrays: torch.cat([torch.from_numpy(np.array(a)).to(device) for a in arrays])  # noqa: E731
-        self._images = {c: joined([t.images[c] for t in tracks]) for c in windows.cameras}
-        self._low = {name: joined([t.proprioception[name] for t in tracks]) for name in tracks[0].proprioception}
-        self._actions, self._weight, self._objects = (
-            joined([getattr(t, name) for t in tracks]) for name in ("actions", "weight", "objects")
-        )
+        self._images = {c: joined([t.images[c] for t in windows.tracks]) for c in windows.cameras}
+        self._low = {name: self._there(values) for name, values in windows.proprioception.items()}
+        self._actions, self._weight, self._objects = map(self._there, (windows.actions, windows.weight, windows.objects))
 
     def sample(self, rng: np.random.Generator, runs: int) -> TensorBatch:
         """See `Windows.sample`."""
         windows = self._windows
-        places = [windows.place(i) for i in rng.integers(len(windows), size=runs)]
+        places = windows.places(rng.integers(len(windows), size=runs))
         offsets = windows.offsets(runs, rng)
-        frames = self._there(np.stack([self._starts[number] + frames.clip(0) for number, frames in places]))
-        steps = np.arange(1, windows.config.ahead + 1)
-        following = [(f.clip(0)[:, None] + steps).clip(max=len(windows.tracks[n].actions) - 1) for n, f in places]
-        later = self._there(np.stack([self._starts[n] + f for (n, _), f in zip(places, following, strict=True)]))
-        inside = self._there(np.stack([frames >= 0 for _, frames in places]))
+        frames, later, inside = map(self._there, (places.steps, places.following, places.frames >= 0))
         return TensorBatch(
             images={c: self._crops(c, frames, self._there(corners)) for c, corners in offsets.items()},
             shifts={c: self._there(shift) for c, shift in windows.shifts(offsets).items()},
