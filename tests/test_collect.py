@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,11 @@ from kills import contents, disturb
 from optimus.collect import MOST_BROKEN, CollectConfig, collect
 from optimus.data.atomic import is_leftover
 from optimus.data.store import EpisodeStore
-from optimus.demonstrate import Attempt, demonstrate
+from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError, UnknownNameError, WorkerError
+from optimus.rollout import Perturbation
+from optimus.tasks.stack import STACK
 
 
 def test_any_number_of_workers_gives_the_same_files(tmp_path: Path) -> None:
@@ -128,6 +131,16 @@ def test_progress_tells_of_failures_by_reason(tmp_path: Path, monkeypatch: pytes
     assert seen[0] == (0, {}) and seen[-1] == (3, {"no plan: 1": 1, "no plan: 0": 1})
     collect(CollectConfig("stack", tmp_path, 4, workers=1, images=False), lambda t: seen.append((t.had, t.attempts)))
     assert seen[-1] == (3, 7)
+
+
+def test_pushes_and_pauses_do_not_make_the_longer_demonstrations_fail(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("optimus.tasks.stack.STACK", replace(STACK, horizon=100))
+    pushed = ExpertConfig(perturbation=Perturbation())
+    for name, expert in (("alone", ExpertConfig()), ("pushed", pushed)):
+        collect(CollectConfig("stack", tmp_path / name, 3, workers=1, expert=expert, images=False))
+    alone, meddled = (EpisodeStore.open(tmp_path / name) for name in ("alone", "pushed"))
+    assert max(alone.header(s).steps for s in alone.seeds) <= 100
+    assert 100 < max(meddled.header(s).steps for s in meddled.seeds) <= 150
 
 
 def test_ray_gives_the_same_files(tmp_path: Path) -> None:
