@@ -75,8 +75,8 @@ class Perturbation:
     """Probability that the gripper, told to open or to shut, does so late: until then all stands still and the answer is to act.
     Without it, a hand that has come to rest where it is to shut, or to open, is only ever seen staying as it is (after a release),
     and so a policy stays there for ever."""
-    longest_hesitation: int = 8
-    """[steps]"""
+    longest_hesitation: int = 20
+    """[steps]; longer than a policy looks back, or what it sees after a while of rest was never shown to it."""
 
 
 class Pushes:
