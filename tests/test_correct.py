@@ -15,6 +15,7 @@ from optimus.learn.checkpoint import load
 from optimus.learn.train import TrainConfig, train
 from optimus.motion.plan import Plan
 from optimus.planner import solve
+from optimus.rollout import LAST_LOOK
 from optimus.skills import Workspace
 from optimus.tasks import task
 
@@ -26,7 +27,8 @@ def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> No
     again = demonstrate(env, 3, config, always).episode
     assert first is not None and again is not None
     np.testing.assert_array_equal(first.executed, again.executed)
-    assert np.any(first.actions != first.executed, axis=1).mean() > 0.9
+    # in the last steps, where the expert has nothing more to answer, nobody acts
+    assert np.any(first.actions != first.executed, axis=1)[:-LAST_LOOK].mean() > 0.9
     assert first.info["perturbed"] and not first.success  # three steps of training teach nobody to stack
     # a label is what a fresh follower of the same plan would say, wherever the policy went
     assert np.abs(first.actions).max() <= 1.0 and set(np.unique(first.actions[:, 6])) <= {-1.0, 1.0}
