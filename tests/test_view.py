@@ -6,6 +6,8 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -200,12 +202,24 @@ def test_an_episode_in_step(data: Path) -> None:
         view.close()
 
 
+@contextmanager
+def killed_in_the_end(process: subprocess.Popen[str]) -> Iterator[None]:
+    """Or a test that fails would wait for it for ever."""
+    try:
+        yield
+    finally:
+        process.kill()
+
+
 def test_a_policy_live(run: Path) -> None:
     """By the command itself: pictures are drawn where the policy plays, in a thread of its own."""
     # one that has learned something ends its episode in seconds: for the picture alone
     policy = str(run) if SCREENSHOTS is None else "pretrained:stack"
     command = [sys.executable, "-m", "optimus.cli", "view", policy, "--port", "0", "--json"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as served:
+    # a shell's background job is deaf to the interrupt, and so would be this
+    hearing = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True, preexec_fn=hearing) as served, killed_in_the_end(served):
         assert served.stdout is not None
         try:
             url = json.loads(served.stdout.readline())["url"]
