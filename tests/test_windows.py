@@ -28,7 +28,7 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> EpisodeStore:
 @settings(max_examples=30, deadline=None)
 @given(context=st.integers(1, 9), windows=st.integers(1, 6), data=st.data())
 def test_a_run_is_consecutive_frames_of_one_episode(store: EpisodeStore, context: int, windows: int, data: st.DataObject) -> None:
-    cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows))
+    cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows, ahead=3))
     index = data.draw(st.integers(0, len(cut) - 1))
     batch = cut.batch([index])
     ends = [(seed, e) for seed, n in LENGTHS.items() for e in range(min(windows, n) - 1, n)]
@@ -43,6 +43,8 @@ def test_a_run_is_consecutive_frames_of_one_episode(store: EpisodeStore, context
     np.testing.assert_array_equal(batch.actions[0], episode.actions[inside])
     np.testing.assert_array_equal(batch.objects[0], episode.objects[inside])
     np.testing.assert_array_equal(batch.weight[0], frames >= 0)
+    for k in range(3):  # never of the next episode
+        np.testing.assert_array_equal(batch.ahead[0, :, k], episode.actions[np.minimum(inside + 1 + k, LENGTHS[seed] - 1)])
 
 
 def test_sampling_is_a_function_of_the_generator(store: EpisodeStore) -> None:

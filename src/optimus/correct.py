@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import OBJECT_POSITIONS, Observation
+from optimus.data.episode import Observation
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
@@ -57,10 +57,10 @@ def _agent(run: Path) -> PolicyAgent:
 
 @lru_cache(maxsize=1)
 def is_told(run: Path) -> bool:
-    """Whether a policy is told how the objects lie, and looks at nothing."""
+    """`PolicyInputs.told` of the policy of a run folder."""
     from optimus.learn import checkpoint
 
-    return OBJECT_POSITIONS in checkpoint.load(run).inputs.proprioception
+    return checkpoint.load(run).inputs.told
 
 
 def require_same_arm(turns: Turns, task: Task, control: str, robot: str) -> None:

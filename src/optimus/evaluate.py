@@ -16,7 +16,7 @@ import torch
 from optimus.conditions import USUAL, Conditions
 from optimus.data.atomic import write_json, write_whole
 from optimus.data.curate import load_curation
-from optimus.data.episode import BINARY, CONTINUOUS, OBJECT_POSITIONS, Episode
+from optimus.data.episode import BINARY, CONTINUOUS, Episode
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
@@ -179,13 +179,12 @@ def _actors(
     agent = _agent(run, component if gripper == BINARY else CONTINUOUS, compiled)
     inputs = agent.policy.inputs
     name = with_objects(_task_of(inputs.task, task, run), objects)
-    told = OBJECT_POSITIONS in inputs.proprioception
     env = ManipulationEnv(
         conditions.of(task_named(name)),
-        images=not told,
+        images=not inputs.told,
         control=inputs.control,
         robot=trained_robot(run, robot),
-        positions=told,
+        positions=inputs.told,
         gripper=gripper,
         worlds=conditions.world,
     )

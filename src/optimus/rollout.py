@@ -93,8 +93,8 @@ class Pushes:
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(n,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
         c, rng = self.config, self._rng
-        tremble = rng.normal(size=6) * (*3 * (c.tremble,), *2 * (c.tremble_tilt,), c.tremble_yaw)
-        begins, shove = rng.uniform() < c.shoves, rng.normal(size=6) * (*3 * (c.shove,), *2 * (c.shove_tilt,), c.shove_yaw)
+        tremble = rng.normal(size=6) * _spread(c.tremble, c.tremble_tilt, c.tremble_yaw)
+        begins, shove = rng.uniform() < c.shoves, rng.normal(size=6) * _spread(c.shove, c.shove_tilt, c.shove_yaw)
         if begins and self._left == 0:
             self._shove, self._left = shove / c.shove_steps, c.shove_steps
         moved = tremble + (self._shove if self._left else 0.0)
@@ -127,6 +127,11 @@ class Pushes:
         if env.control == "joint":
             noise += slack * self._rng.normal(size=noise.shape) * JOINT_TREMBLE / JOINT_SCALE
         return noise
+
+
+def _spread(place: float, tilt: float, yaw: float) -> NDArray[np.float64]:
+    """Deviations of a motion `(6,)`: position [m], rotation vector [rad]."""
+    return np.array([place, place, place, tilt, tilt, yaw])
 
 
 @dataclass(eq=False)

@@ -68,6 +68,11 @@ class PolicyInputs:
     """Whose arm it moves."""
 
     @property
+    def told(self) -> bool:
+        """Whether the policy is told how the objects lie, and looks at nothing."""
+        return OBJECT_POSITIONS in self.proprioception
+
+    @property
     def told_from_hand(self) -> int:
         """How many numbers say again how the objects lie, as the hand has them before it."""
         told = (self.proprioception.get(name, 0) for name in (OBJECT_POSITIONS, OBJECT_TURNS))
