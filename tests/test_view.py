@@ -5,6 +5,7 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -19,19 +20,21 @@ pytest.importorskip("viser", reason="the viewer is served by viser: pip install 
 
 from browser import SCREENSHOTS, keep, page, requires_no_sideways_scrolling
 from optimus.collect import CollectConfig, collect
+from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
 from optimus.errors import OptimusError, UnknownNameError
 from optimus.learn import checkpoint
 from optimus.learn.agent import PolicyAgent
+from optimus.learn.presets import preset
 from optimus.learn.train import TrainConfig, train
 from optimus.motion.plan import Infeasible, Plan
 from optimus.tasks import task
 from optimus.view import Address, View, open_view
 from optimus.view.episode_view import EpisodeView
 from optimus.view.meshes import surfaces
-from optimus.view.policy_view import Fans
+from optimus.view.policy_view import Fans, PolicyView
 from optimus.view.scene_view import SceneView
 from optimus.view.timeline import timeline
 
@@ -44,14 +47,12 @@ NO_PLAN = 7036
 def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("view") / "data"
     collect(CollectConfig("stack", folder, 3, workers=1))
+    curate(folder)
     return folder
 
 
 @pytest.fixture(scope="module")
 def run(data: Path) -> Path:
-    from optimus.data.curate import curate
-
-    curate(data)
     train(data, data.parent / "run", TrainConfig(steps=2))
     return data.parent / "run"
 
@@ -225,16 +226,29 @@ def test_a_policy_live(run: Path) -> None:
             url = json.loads(served.stdout.readline())["url"]
             with page() as (opened, wrong):
                 opened.goto(url)
-                time = opened.locator("#facts div").nth(1)
-                before = time.inner_text()
+                clock = opened.locator("#facts div").nth(1)
+                before = clock.inner_text()
                 opened.wait_for_timeout(2500)
-                assert float(time.inner_text().split()[1]) > float(before.split()[1])
+                assert float(clock.inner_text().split()[1]) > float(before.split()[1])
                 keep(opened, "view-policy")
                 assert wrong == []
         finally:
             served.send_signal(signal.SIGINT)
         assert served.wait(20) == 130
         assert "Traceback" not in (served.stderr.read() if served.stderr else "")
+
+
+def test_a_policy_that_is_told_the_state_plays_without_pictures(data: Path, tmp_path: Path) -> None:
+    train(data, tmp_path / "told", TrainConfig(steps=2), preset("quick", observe="state").policy)
+    view = open_view(str(tmp_path / "told"), address=ANY_PORT)
+    try:
+        assert isinstance(view.shown, PolicyView)
+        shown, deadline = view.shown, time.monotonic() + 60
+        while shown.steps < 3 and time.monotonic() < deadline:
+            time.sleep(0.1)
+        assert shown.steps >= 3
+    finally:
+        view.close()
 
 
 def test_the_fan_is_the_mixture_that_the_policy_acted_on(run: Path, data: Path) -> None:

@@ -22,6 +22,7 @@ from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
 from optimus.learn import checkpoint
 from optimus.learn.agent import Component, PolicyAgent
+from optimus.learn.policy import PolicyInputs
 from optimus.robots import Robot
 from optimus.robots.catalogue import known_robots
 from optimus.robots.catalogue import robot as robot_named
@@ -162,7 +163,7 @@ def policy_folder(run: Path, which: str) -> Path:
 @lru_cache(maxsize=1)
 def _agent(run: Path, component: Component, compiled: bool) -> PolicyAgent:
     torch.set_num_threads(1)
-    return PolicyAgent(run, component, compiled=compiled)
+    return agent(run, component, compiled)
 
 
 @lru_cache(maxsize=1)
@@ -175,20 +176,40 @@ def _actors(
     conditions: Conditions,
     compiled: bool,
 ) -> tuple[ManipulationEnv, PolicyAgent]:
-    gripper = checkpoint.read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
-    agent = _agent(run, component if gripper == BINARY else CONTINUOUS, compiled)
-    inputs = agent.policy.inputs
+    policy = _agent(run, component, compiled)
+    return environment(run, policy.policy.inputs, robot, task, objects, conditions), policy
+
+
+def agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
+    """The policy of that run folder, ready to act; its gripper moves as in the demonstrations that it was trained on."""
+    return PolicyAgent(run, component if _gripper(run) == BINARY else CONTINUOUS, compiled=compiled)
+
+
+def environment(
+    run: Path,
+    inputs: PolicyInputs,
+    robot: Robot | None = None,
+    task: str | None = None,
+    objects: str | None = None,
+    conditions: Conditions = USUAL,
+) -> ManipulationEnv:
+    """Where the policy of that run folder and of those inputs acts: its task, its control, its gripper, and the images or the
+    positions that it was trained on. `task` and `objects` as `Start` takes them."""
     name = with_objects(_task_of(inputs.task, task, run), objects)
-    env = ManipulationEnv(
+    return ManipulationEnv(
         conditions.of(task_named(name)),
         images=not inputs.told,
         control=inputs.control,
         robot=trained_robot(run, robot),
         positions=inputs.told,
-        gripper=gripper,
+        gripper=_gripper(run),
         worlds=conditions.world,
     )
-    return env, agent
+
+
+def _gripper(run: Path) -> str:
+    """How the gripper moved in the demonstrations that the policy of that run folder was trained on."""
+    return checkpoint.read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
 
 
 def _task_of(trained: str, asked: str | None, run: Path) -> str:

@@ -12,9 +12,7 @@ import torch
 
 from optimus.control import CONTROL_HZ, POSITION_SCALE
 from optimus.data.episode import Observation
-from optimus.env import ManipulationEnv
-from optimus.evaluate import RANDOM_SEEDS_FROM, trained_robot
-from optimus.learn.agent import PolicyAgent
+from optimus.evaluate import RANDOM_SEEDS_FROM, agent, environment
 from optimus.learn.heads import Mixture, MixtureHead
 from optimus.se3 import Array
 from optimus.tasks import task as task_named
@@ -36,16 +34,16 @@ class PolicyView:
     """A policy that plays one problem after another, in real time as far as the machine can."""
 
     def __init__(self, server: viser.ViserServer, run: Path, seed: int = 0, robot: Robot | None = None) -> None:
-        self._server, self._agent = server, PolicyAgent(run)
+        self._server, self._agent = server, agent(run)
         inputs = self._agent.policy.inputs
         self._task = task_named(inputs.task)
-        self._env = ManipulationEnv(self._task, control=inputs.control, robot=trained_robot(run, robot))
+        self._env = environment(run, inputs, robot)
         self._fans = Fans(self._agent.policy.modules()) if inputs.control != "joint" else None
         gui = server.gui
         self._seed = gui.add_number("seed", seed, min=0, step=1, hint="which fresh problem")
         self._again = gui.add_button("start again")
         self._facts = gui.add_html("")
-        self._picture = gui.add_image(blank(inputs.cameras), label=" | ".join(inputs.cameras))
+        self._picture = None if inputs.told else gui.add_image(blank(inputs.cameras), label=" | ".join(inputs.cameras))
         self._wanted, self._closed = threading.Event(), threading.Event()
         self._seed.on_update(lambda _: self._wanted.set())
         self._again.on_click(lambda _: self._wanted.set())
@@ -88,7 +86,8 @@ class PolicyView:
     def _show(self, observation: Observation) -> None:
         self.stage.show(self._env.data.qpos)
         with self._server.atomic():
-            self._picture.image = side_by_side(observation, self._agent.policy.inputs.cameras)
+            if self._picture is not None:
+                self._picture.image = side_by_side(observation, self._agent.policy.inputs.cameras)
             if self._fans is not None and self._fans.latest is not None:
                 means, weights = self._means(self._fans.latest)
                 start = np.broadcast_to(self._env.state().tcp.pos, means.shape)
