@@ -7,6 +7,7 @@ import math
 import time
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, Episode
+from optimus.data.store import EpisodeStore
 from optimus.data.turns import as_columns
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError
@@ -41,8 +43,13 @@ def policy() -> Policy:
 
 
 @pytest.fixture(scope="module")
-def windows(tmp_path_factory: pytest.TempPathFactory) -> Windows:
-    return Windows(make_dataset(tmp_path_factory.mktemp("data"), 3), range(3), WindowConfig())
+def store(tmp_path_factory: pytest.TempPathFactory) -> EpisodeStore:
+    return make_dataset(tmp_path_factory.mktemp("data"), 3)
+
+
+@pytest.fixture(scope="module")
+def windows(store: EpisodeStore) -> Windows:
+    return Windows(store, range(3), WindowConfig())
 
 
 def observation(episode: Episode, step: int) -> dict[str, np.ndarray]:
@@ -184,6 +191,16 @@ def test_labels_of_repeated_frames_do_not_count(policy: Policy, windows: Windows
     losses = [float(batch_loss(policy, b, LossConfig(), None, False)[0].detach()) for b in (batch, spoilt)]
     assert losses[0] == losses[1]
     assert batch.weight.sum() == 1
+
+
+@pytest.mark.parametrize("supervise", ["all", "last"])
+def test_a_run_teaches_what_its_windows_teach_apart(
+    policy: Policy, store: EpisodeStore, windows: Windows, supervise: Literal["all", "last"]
+) -> None:
+    runs = Windows(store, range(3), WindowConfig(windows=4))
+    config = LossConfig(supervise=supervise, location_weight=0.0)
+    one, apart = (batch_loss(policy, b, config, None, False)[0] for b in (runs.batch([13]), windows.batch([10, 11, 12, 13])))
+    torch.testing.assert_close(one, apart)
 
 
 def test_the_gripper_goes_by_the_majority_of_the_weight(policy: Policy, monkeypatch: pytest.MonkeyPatch) -> None:

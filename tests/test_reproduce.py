@@ -5,6 +5,7 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -83,7 +84,8 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
         reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=stop))
     unfinished = json.loads((tmp_path / "results.json").read_text())
     assert not unfinished["complete"] and unfinished["missing"] == ["Stack OPTIMUS"]
-    assert "missing: Stack OPTIMUS." in (tmp_path / "table.md").read_text()
+    written = (tmp_path / "table.md").read_text()
+    assert "missing: Stack OPTIMUS." in written and "--out DIR --rows Stack\n" in written
     done = {p: p.stat().st_mtime_ns for p in (*tmp_path.rglob("*.safetensors"), *(tmp_path / "cells").iterdir())}
     stages: list[str] = []
     found = reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=lambda stage, *_: stages.append(stage)))
@@ -95,7 +97,7 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
         reproduce(Site("table-b2", tmp_path, budget("cpu")))
 
 
-def _check_written(out: Path, found: dict[str, object]) -> None:
+def _check_written(out: Path, found: dict[str, Any]) -> None:
     cells = json.loads((out / "results.json").read_text())["cells"]
     assert cells == found["cells"] and [c["row"] for c in cells] == ["Stack", "Stack"]
     measured = [m for cell in cells for m in cell["measured"].values()]
@@ -105,7 +107,9 @@ def _check_written(out: Path, found: dict[str, object]) -> None:
     assert sum(o["success"] for o in outcomes) == cells[1]["measured"][""]["successes"] and len(outcomes) == 1
     rows = list(csv.DictReader((out / "table.csv").open()))
     assert [int(r["episodes"]) for r in rows] == [m["episodes"] for m in measured]
-    assert "proves the path" in (out / "table.md").read_text()
+    written = (out / "table.md").read_text()
+    assert "proves the path" in written and "--rows" not in written
+    assert all(command in written for c in found["cells"] for command in c["commands"])
     assert imread(out / "plot.png").std() > 0
 
 

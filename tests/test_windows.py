@@ -31,20 +31,27 @@ def test_a_run_is_consecutive_frames_of_one_episode(store: EpisodeStore, context
     cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows, ahead=3))
     index = data.draw(st.integers(0, len(cut) - 1))
     batch = cut.batch([index])
-    ends = [(seed, e) for seed, n in LENGTHS.items() for e in range(min(windows, n) - 1, n)]
-    ends = [(s, e) for s, e in ends if e >= windows - 1 or e == LENGTHS[s] - 1]
+    ends = [(seed, e) for seed, n in LENGTHS.items() for e in range(n + windows - 1)]
     seed, end = ends[index]
     assert len(cut) == len(ends)
     episode = make_episode(seed, LENGTHS[seed], cameras=("front",))
     frames = np.arange(end - cut.config.frames + 1, end + 1)
-    inside = np.maximum(frames, 0)
+    inside = frames.clip(0, LENGTHS[seed] - 1)
     np.testing.assert_array_equal(batch.images["front"][0], episode.observations["front_image"][inside, 4:80, 4:80])
     np.testing.assert_array_equal(batch.proprioception["robot0_eef_pos"][0], episode.observations["robot0_eef_pos"][inside])
     np.testing.assert_array_equal(batch.actions[0], episode.actions[inside])
     np.testing.assert_array_equal(batch.objects[0], episode.objects[inside])
-    np.testing.assert_array_equal(batch.weight[0], frames >= 0)
+    np.testing.assert_array_equal(batch.weight[0], frames == inside)
     for k in range(3):  # never of the next episode
         np.testing.assert_array_equal(batch.ahead[0, :, k], episode.actions[np.minimum(inside + 1 + k, LENGTHS[seed] - 1)])
+
+
+@pytest.mark.parametrize("windows", [1, 4])
+def test_all_labels_are_learned_equally_often(store: EpisodeStore, windows: int) -> None:
+    cut = Windows(store, list(LENGTHS), WindowConfig(context=3, windows=windows))
+    places = cut.places(np.arange(len(cut)))
+    supervised = places.steps[:, -windows:][places.inside[:, -windows:]]
+    assert np.bincount(supervised).tolist() == [windows] * cut.labels
 
 
 def test_sampling_is_a_function_of_the_generator(store: EpisodeStore) -> None:

@@ -48,6 +48,8 @@ def train(
     observe: Literal["images", "state"] = "images",
     recipe: Literal["quick", "paper"] | None = None,
     batch: int | None = None,
+    consecutive: int = 1,
+    labels: Literal["all", "last"] | None = None,
     accumulate: int = 1,
     ema: float | None = None,
     precision: Literal["auto", "float32", "bfloat16"] = "auto",
@@ -83,6 +85,8 @@ def train(
         recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K); by default the
             preset's own
         batch: windows in a step, all processes together, in place of the recipe's
+        consecutive: cut the batch in runs of so many windows, one frame apart, whose frames are encoded once
+        labels: learn the actions at all frames of a window or only at its last; by default the recipe's (quick: all, paper: last)
         accumulate: compute a batch in this many portions, one after the other
         ema: decay of the running average of the weights that is kept; 0 keeps the newest weights
         precision: of the convolutions; auto: bfloat16 where the hardware has it
@@ -100,7 +104,7 @@ def train(
     from optimus.learn.train import train as run_train
 
     chosen = chosen_preset(preset, head, observe)
-    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, accumulate, ema, precision, device)
+    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, consecutive, labels, accumulate, ema, precision, device)
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
@@ -147,6 +151,8 @@ class Asked:
     seed: int
     recipe: str
     batch: int | None
+    consecutive: int
+    labels: Literal["all", "last"] | None
     accumulate: int
     ema: float | None
     precision: str
@@ -158,19 +164,30 @@ class Asked:
         from optimus.learn.recipe import recipe
 
         base = recipe(self.recipe)
-        loss = base.loss if self.batch is None else replace(base.loss, runs=self.batch)
+        windows = base.loss.runs if self.batch is None else self.batch
+        loss = replace(base.loss, runs=self._runs(windows), supervise=self.labels or base.loss.supervise)
         optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
         return replace(
             base,
             steps=self.steps if self.steps is not None or self.minutes is not None else base.steps,
             minutes=base.minutes if self.minutes is None else self.minutes,
             seed=self.seed,
+            windows=self.consecutive,
             loss=loss,
             optimiser=optimiser,
             accumulate=self.accumulate,
             half=None if self.precision == "auto" else self.precision == "bfloat16",
             device=self.device,
         )
+
+    def _runs(self, windows: int) -> int:
+        """How many runs that many windows are; `BatchError` if that is no whole number."""
+        from optimus.learn.gradient import BatchError
+
+        if self.consecutive < 1 or windows % self.consecutive:
+            valid = ", ".join(str(n) for n in range(1, windows + 1) if windows % n == 0)
+            raise BatchError(f"--consecutive {self.consecutive}: a batch of {windows} windows takes one of {valid}")
+        return windows // self.consecutive
 
 
 def _training(bar: Any) -> Callable[[Progress], None]:

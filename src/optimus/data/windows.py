@@ -88,7 +88,9 @@ class Places:
     tracks: NDArray[np.int64]
     """`(B,)`: the numbers of their tracks."""
     frames: NDArray[np.int64]
-    """`(B, F)`: in their tracks, some of them negative: those repeat the first frame."""
+    """`(B, F)`: in their tracks; those before its first frame repeat that, those after its last repeat that."""
+    inside: NDArray[np.bool_]
+    """`(B, F)`: whether they are frames of their tracks, not repeats."""
     steps: NDArray[np.int64]
     """`(B, F)`: the same in the arrays of all tracks."""
     following: NDArray[np.int64]
@@ -111,8 +113,9 @@ class Windows:
         turned = not config.images and all(map(says_rotations, headers))
         self.tracks = tuple(_track(header, self.cameras, config, objects, turned) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
-        # frames, which is what the agent gives them.
-        self._ends = np.cumsum([max(len(t.actions) - config.windows + 1, 1) for t in self.tracks])
+        # frames, which is what the agent gives them. It may end after it: else the last labels, and the first,
+        # would be in fewer runs than all others.
+        self._ends = np.cumsum([len(t.actions) + config.windows - 1 for t in self.tracks])
         self.lengths = np.array([len(t.actions) for t in self.tracks])
         self.starts = np.cumsum(self.lengths) - self.lengths
         """Of each track, in the arrays of all."""
@@ -173,7 +176,7 @@ class Windows:
             shifts=self.shifts(offsets),
             proprioception={name: values[steps] for name, values in self.proprioception.items()},
             actions=self.actions[steps],
-            weight=self.weight[steps] * (places.frames >= 0),
+            weight=self.weight[steps] * places.inside,
             objects=self.objects[steps],
             ahead=self.actions[places.following],
         )
@@ -181,20 +184,22 @@ class Windows:
     def places(self, indices: NDArray[np.integer[Any]]) -> Places:
         """Where the runs of these indices are."""
         tracks = np.searchsorted(self._ends, indices, side="right")
-        last = self.lengths[tracks] - self._ends[tracks] + indices
+        final = self.lengths[tracks, None] - 1
+        last = final[:, 0] + self.config.windows - self._ends[tracks] + indices
         frames = last[:, None] + np.arange(1 - self.config.frames, 1)
-        steps = self.starts[tracks, None] + frames.clip(0)
-        ends = self.starts[tracks] + self.lengths[tracks] - 1
+        steps = self.starts[tracks, None] + frames.clip(0, final)
+        ends = self.starts[tracks] + final[:, 0]
         following = steps[:, :, None] + np.arange(1, self.config.ahead + 1)
-        return Places(tracks, frames, steps, following.clip(max=ends[:, None, None]))
+        return Places(tracks, frames, (frames >= 0) & (frames <= final), steps, following.clip(max=ends[:, None, None]))
 
 
 def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any]], frames: NDArray[np.int64]) -> None:
-    """`out[i]` becomes the crop at `corner` of frame `max(frames[i], 0)`, for consecutive frames."""
-    before = min(max(-int(frames[0]), 0), len(frames) - 1)
-    source.crop(out[before:], int(frames[0]) + before, corner)
-    if before:
-        out[:before] = out[before]
+    """`out[i]` becomes the crop at `corner` of frame `frames[i]`, for consecutive frames, or of the nearest that there is."""
+    first, last = max(int(frames[0]), 0), min(int(frames[-1]), source.shape[0] - 1)
+    before = first - int(frames[0])
+    after = before + last - first + 1
+    source.crop(out[before:after], first, corner)
+    out[:before], out[after:] = out[before], out[after - 1]
 
 
 def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int, turned: bool) -> Track:

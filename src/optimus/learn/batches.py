@@ -68,7 +68,7 @@ class ResidentWindows:
         windows = self._windows
         places = windows.places(rng.integers(len(windows), size=runs))
         offsets = windows.offsets(runs, rng)
-        frames, later, inside = map(self._there, (places.steps, places.following, places.frames >= 0))
+        frames, later, inside = map(self._there, (places.steps, places.following, places.inside))
         return TensorBatch(
             images={c: self._crops(c, frames, self._there(corners)) for c, corners in offsets.items()},
             shifts={c: self._there(shift) for c, shift in windows.shifts(offsets).items()},

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,7 @@ def markdown(found: dict[str, Any]) -> str:
             main = cell["measured"].get("")
             parts += [said(main), of_paper(cell["paper"], main is not None and "seconds" in main)]
         text.append(f"| {row} | " + " | ".join(parts) + " |")
+    text += ["", f"![{found['title']}](plot.png)"]
     text += ["", "## Every measurement", "", "| row | column | tried on | ours | by the paper's rule | distinct states | hours |"]
     text.append("|---" * 7 + "|")
     for cell, name, m in lines(found):
@@ -62,8 +64,15 @@ def markdown(found: dict[str, Any]) -> str:
         counted = [str(m.get(k, "")) for k in ("paper_rule_successes", "distinct_states")]
         hours = f"{cell['hours']:.2f}" if name == next(iter(cell["measured"])) else ""
         text.append(f"| {cell['row']} | {cell['column']} | {name or usual} | {said(m)} | {' | '.join(counted)} | {hours} |")
-    text += ["", "## Commands", "", "```text", found["command"], "```", ""]
-    return "\n".join(text)
+    steps = dict.fromkeys(command for cell, _, _ in lines(found) for command in cell["commands"])
+    text += ["", "## Commands", "", "```text", _command(found), "```", "", "By itself, in that folder:", ""]
+    return "\n".join([*text, "```text", *steps, "```", ""])
+
+
+def _command(found: dict[str, Any]) -> str:
+    """What filled the rows that are filled."""
+    filled = dict.fromkeys(cell["row"] for cell, _, _ in lines(found))
+    return found["command"] if found["complete"] else f"{found['command']} --rows {shlex.join(filled)}"
 
 
 def _about(found: dict[str, Any]) -> str:
