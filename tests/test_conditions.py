@@ -1,9 +1,12 @@
 """Pushed, slipped, slippery and heavy: against mechanics, and against episodes in which nothing happens."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
 
-from optimus.conditions import PUSH_SPEED, SLIP_STEPS, USUAL, Conditions, Mishap
+from optimus.conditions import PERTURBATIONS, PUSH_SPEED, SLIP_STEPS, USUAL, Conditions, Mishap
+from optimus.data.episode import MISHAP
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import OptimusError, UnknownNameError
@@ -12,17 +15,16 @@ from optimus.tasks import task
 GRAVITY = 9.81
 
 
-def played(seed: int, conditions: Conditions) -> tuple[Attempt, Mishap, list[np.ndarray], list[np.ndarray]]:
-    """The expert at `stack`: its attempt, the mishap, and positions and velocities of the blocks before every step."""
+def played(seed: int, conditions: Conditions) -> tuple[Attempt, Mishap, np.ndarray, np.ndarray]:
+    """The expert at `stack`: its attempt, the mishap, and positions and velocities of the blocks `(steps, blocks, 3)` before every
+    step."""
     env = ManipulationEnv(conditions.of(task("stack")), images=False, worlds=conditions.world)
-    mishap, places, speeds = conditions.mishap(seed), [], []
-
-    def watch(env: ManipulationEnv) -> None:
-        mishap(env)
-        places.append(env.object_positions())
-        speeds.append(np.array([env.data.qvel[at : at + 3].copy() for at in env.world.movable_dof.values()]))
-
-    return demonstrate(env, seed, ExpertConfig(), mishap=watch), mishap, places, speeds
+    mishap = conditions.mishap(seed)
+    attempt = demonstrate(env, seed, ExpertConfig(), mishap=mishap)
+    assert attempt.episode is not None and attempt.episode.states is not None
+    qpos, qvel = np.split(attempt.episode.states[:, 1 : 1 + env.world.model.nq + env.world.model.nv], [env.world.model.nq], axis=1)
+    places = np.stack([qpos[:, at : at + 3] for at in env.world.movable_qpos.values()], axis=1)
+    return attempt, mishap, places, np.stack([qvel[:, at : at + 3] for at in env.world.movable_dof.values()], axis=1)
 
 
 def test_under_usual_conditions_nothing_happens() -> None:
@@ -51,6 +53,24 @@ def test_what_slips_falls_freely_and_the_expert_takes_it_again() -> None:
     fallen = float((before - after).max())
     assert 0.01 < fallen <= 0.5 * GRAVITY * (SLIP_STEPS / 20) ** 2 + 0.002
     assert attempt.retries
+
+
+def test_a_share_of_the_demonstrations_has_mishaps() -> None:
+    half = ExpertConfig(mishaps=0.5)
+    kinds = Counter(half.mishap(seed).kind for seed in range(400))
+    assert kinds.keys() == {None, *PERTURBATIONS} and 160 < kinds[None] < 240
+    assert abs(kinds["push"] - kinds["slip"]) < 60
+    assert {ExpertConfig().mishap(seed).kind for seed in range(20)} == {None}
+
+
+def test_a_demonstration_says_what_happened_in_it() -> None:
+    always = ExpertConfig(mishaps=1.0)
+    seed = next(seed for seed in range(10) if always.mishap(seed).kind == "slip")
+    attempt = demonstrate(ManipulationEnv(task("stack"), images=False), seed, always)
+    expected, mishap, _, _ = played(seed, Conditions("slip"))
+    assert attempt.episode is not None and expected.episode is not None
+    np.testing.assert_array_equal(attempt.episode.states, expected.episode.states)
+    assert attempt.info[MISHAP] == {"kind": "slip", "at": mishap.at}
 
 
 def test_the_same_seed_has_the_same_mishap() -> None:
@@ -90,3 +110,5 @@ def test_what_makes_no_sense_is_refused() -> None:
     for wrong in (lambda: Conditions(friction=0.0), lambda: Conditions(mass=float("nan")), lambda: Conditions(horizon=0)):
         with pytest.raises(OptimusError):
             wrong()
+    with pytest.raises(OptimusError, match="share of 0 to 1"):
+        ExpertConfig(mishaps=30)

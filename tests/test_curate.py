@@ -29,10 +29,12 @@ def test_every_episode_is_kept_or_has_a_reason(store: EpisodeStore) -> None:
     write(store, 20, steps=60)
     write(store, 21, success=False, failure="dropped")
     write(store, 22, info={"retries": 1})
+    for seed in (23, 24):  # as long as they take to make good what happened
+        write(store, seed, steps=60, info={"retries": 1, "mishap": {"kind": "slip", "at": 20}})
     before = {p: p.read_bytes() for p in (store.path / "episodes").iterdir()}
     curation = curate(store.path)
     assert curation.dropped == {20: "too long", 21: "failed", 22: "retried"}
-    assert curation.kept == tuple(range(20))
+    assert curation.kept == (*range(20), 23, 24)
     assert len(curation.validation) == 2
     assert not set(curation.train) & set(curation.validation)
     assert load_curation(store.path) == curation

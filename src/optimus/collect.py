@@ -132,7 +132,8 @@ def _attempt(config: CollectConfig, seed: int) -> _Outcome:
     began = time.process_time()
     turns = config.turns
     told = turns is not None and is_told(turns.policy)
-    lenience = 1.0 if config.expert.perturbation is None and turns is None else LENIENCE
+    alone = config.expert.perturbation is None and turns is None and config.expert.mishaps == 0.0
+    lenience = 1.0 if alone else LENIENCE
     env = _env(config.task, config.control, config.robot, config.images, config.expert.law.gripper, told, lenience)
     env.cpu.clear()
     attempt = demonstrate(env, seed, config.expert, None if turns is None else partial(Corrections, turns))

@@ -24,6 +24,8 @@ Perturb = Literal["push", "slip"]
 level direction drawn by lot: an impulse of its mass times `PUSH_SPEED`. `slip`: once, when a thing has been held for as many
 steps as are drawn from `SLIP_AFTER`, the fingers' force fails for `SLIP_STEPS` steps, and gravity has what they held."""
 
+PERTURBATIONS: tuple[Perturb, ...] = get_args(Perturb)
+
 PUSH_AT = (10, 60)
 """First and last step (of 50 ms) at which a push may come; where everything is held then, it comes as soon as something is not."""
 PUSH_SPEED = 0.6
@@ -48,8 +50,8 @@ class Conditions:
     """Most steps, where that is fewer than the task's own."""
 
     def __post_init__(self) -> None:
-        if self.perturb is not None and self.perturb not in get_args(Perturb):
-            raise UnknownNameError("perturbation", self.perturb, get_args(Perturb))
+        if self.perturb is not None and self.perturb not in PERTURBATIONS:
+            raise UnknownNameError("perturbation", self.perturb, PERTURBATIONS)
         for name in ("friction", "mass"):
             value = getattr(self, name)
             if not (math.isfinite(value) and 0.01 <= value <= 100.0):
@@ -96,15 +98,15 @@ class Mishap:
     def __init__(self, kind: Perturb | None, rng: np.random.Generator) -> None:
         self.at: int | None = None
         """The step at which it happened; None as long as it has not."""
-        self._kind, self._rng = kind, rng
+        self.kind, self._rng = kind, rng
         low, high = PUSH_AT if kind == "push" else SLIP_AFTER
         self._wait = int(rng.integers(low, high + 1))
         self._step = self._held = 0
 
     def __call__(self, env: ManipulationEnv) -> None:
-        if self._kind == "push" and self.at is None and self._step >= self._wait:
+        if self.kind == "push" and self.at is None and self._step >= self._wait:
             self._push(env)
-        elif self._kind == "slip":
+        elif self.kind == "slip":
             self._slip(env)
         self._step += 1
 

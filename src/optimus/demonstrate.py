@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 
 from optimus.closed_loop import ALONE, SHARED, ClosedLoop
-from optimus.data.episode import Episode, Observation
+from optimus.conditions import PERTURBATIONS, Conditions, Mishap
+from optimus.data.episode import MISHAP, Episode, Observation
 from optimus.env import ManipulationEnv
+from optimus.errors import OptimusError
 from optimus.expert import TimeLaw
 from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
@@ -37,6 +39,12 @@ class ExpertConfig:
     perturbation: Perturbation | None = None
     check: bool = False
     """Have every plan validated before it is carried out; an invalid one is a failure."""
+    mishaps: float = 0.0
+    """Share of the episodes in which a thing is pushed or slips, as `optimus.conditions` does it."""
+
+    def __post_init__(self) -> None:
+        if not 0.0 <= self.mishaps <= 1.0:
+            raise OptimusError(f"mishaps happen in a share of 0 to 1 of the episodes, not in {self.mishaps}")
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> ExpertConfig:
@@ -48,7 +56,14 @@ class ExpertConfig:
             Budget(**value["budget"]),
             None if pushed is None else Perturbation(**{**_BEFORE, **pushed}),
             value.get("check", False),
+            value.get("mishaps", 0.0),
         )
+
+    def mishap(self, seed: int) -> Mishap:
+        """What is going to happen in the episode of that seed: perhaps nothing."""
+        rng = np.random.default_rng([seed, 5])
+        happens = rng.random() < self.mishaps
+        return Conditions(PERTURBATIONS[int(rng.integers(len(PERTURBATIONS)))] if happens else None).mishap(seed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,14 +118,15 @@ def demonstrate(
     seed: int,
     config: ExpertConfig,
     meddler: Callable[[np.random.Generator], Meddler] | None = None,
-    mishap: Callable[[ManipulationEnv], None] | None = None,
+    mishap: Mishap | None = None,
 ) -> Attempt:
     """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
 
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
-    `mishap(env)` is called before every step, and may change the world. With either, the expert looks whether things still are
-    where its plan supposes them.
+    `mishap` changes the world; by default, that of `config` for this seed. With either, the expert looks whether things still
+    are where its plan supposes them.
     """
+    mishap = mishap or config.mishap(seed)
     observation, info = env.reset(seed=seed)
     planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
     plan, seconds = planned.plan, planned.seconds
@@ -120,7 +136,7 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    vigilance = ALONE if meddler is None and mishap is None else SHARED
+    vigilance = ALONE if meddler is None and not mishap.kind else SHARED
     expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
@@ -129,8 +145,10 @@ def demonstrate(
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
         return None if pushes is None else pushes.next(seen, label, expert.slack)
 
-    episode = rollout(env, observation, expert, "expert", push, mishap or (lambda env: None))
+    episode = rollout(env, observation, expert, "expert", push, mishap)
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
+    if mishap.at is not None:
+        info[MISHAP] = {"kind": mishap.kind, "at": mishap.at}
     episode = replace(episode, skeleton=plan.skeleton, info=info)
     return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)
 

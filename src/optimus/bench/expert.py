@@ -46,8 +46,7 @@ def summary_of(attempts: list[Attempt]) -> dict[str, Any]:
 
 def _attempt(config: BenchConfig, seed: int) -> Attempt:
     mishap = config.conditions.mishap(seed)
-    happens = mishap if config.conditions.perturb else None
-    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), mishap=happens)
+    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), mishap=mishap)
     return replace(attempt, info={**attempt.info, "mishap_at": mishap.at})
 
 

@@ -80,6 +80,7 @@ def _lines(about: Description, html: Path | None) -> list[str]:
         f"{'cameras':<24}{cameras}",
         f"{'lengths [steps]':<24}{shortest} to {longest}, mean {about.steps / about.episodes:.1f}",
         f"{'pushed, planned again':<24}{about.perturbed}, {about.retried}",
+        f"{'mishaps':<24}{about.mishaps}",
     ]
     if about.imitability is not None:
         lines.append(f"{'imitability':<24}{about.imitability.in_words}")

@@ -39,6 +39,7 @@ def collect(
     backend: Backend = "local",
     images: bool = True,
     perturb: bool = True,
+    mishaps: float = 0.0,
     gripper: Literal["binary", "continuous"] = "binary",
     stall: int = 5,
     grasps: Literal["fixed", "random"] = "fixed",
@@ -58,6 +59,7 @@ def collect(
         optimus collect stack --episodes 300 --out data/stack
         optimus collect stack --episodes 5000 --out data/states --no-images    (`optimus render` adds images)
         optimus collect stack --episodes 300 --out data/sampled --motion sampled --grasps random --ik random --no-perturb
+        optimus collect stack --episodes 300 --out data/mishaps --mishaps 0.5
         optimus collect stack --episodes 100 --out data/corrections --policy runs/stack --seed 5000000
 
     Args:
@@ -65,6 +67,7 @@ def collect(
         episodes: successful demonstrations wanted
         images: render what the cameras see; without, `optimus render` can do so later, exactly alike
         perturb: push the arm off its path now and then, the label staying the expert's own answer
+        mishaps: share of the episodes in which a thing is pushed or slips out of the hand, so that the way back is learned too
         gripper: told to be open or shut, or led from one to the other over the stall
         stall: steps for which the gripper alone acts at a grasp or a release
         grasps: grasps and placements in a fixed order, the least turned first, or at random
@@ -84,7 +87,7 @@ def collect(
     from optimus.tasks import with_objects
 
     style, law = Style(grasps=grasps, ik=ik, motion=motion), TimeLaw(speed=speed, stall=stall, gripper=gripper)
-    expert = ExpertConfig(style, law, perturbation=Perturbation() if perturb else None, check=check)
+    expert = ExpertConfig(style, law, perturbation=Perturbation() if perturb else None, check=check, mishaps=mishaps)
     config = CollectConfig(
         task=with_objects(task, objects),
         out=out,

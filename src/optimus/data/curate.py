@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from optimus.data.atomic import write_json
-from optimus.data.episode import RECEPTACLE, VIEWS
+from optimus.data.episode import MISHAP, RECEPTACLE, VIEWS
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.frustum import in_view
 from optimus.data.store import EpisodeStore
@@ -44,7 +44,7 @@ class CurationConfig:
     max_tracking_error: float | None = None
     """Largest median distance of the tcp from the planned path [m]."""
     keep_retried: bool = False
-    """Whether to keep episodes in which the expert had to plan again."""
+    """Whether to keep episodes in which the expert had to plan again without a mishap that made it."""
     validation_share: float = 0.1
     """Share of the kept episodes that is held out."""
     validation_episodes: int = 0
@@ -124,8 +124,9 @@ def _as_json(curation: Curation, task: str) -> dict[str, Any]:
 
 
 def _group(header: EpisodeHeader, config: CurationConfig) -> tuple[str, ...]:
-    """What an episode's length is compared with: those of the same group."""
-    return header.skeleton if config.length_over == "skeleton" else ()
+    """What an episode's length is compared with: those of the same group. Mishaps take time to make good."""
+    happened = header.info.get(MISHAP, {}).get("kind", "")
+    return (*(header.skeleton if config.length_over == "skeleton" else ()), happened)
 
 
 def _length_limits(headers: list[EpisodeHeader], config: CurationConfig) -> dict[tuple[str, ...], float]:
@@ -140,7 +141,7 @@ def _reasons(header: EpisodeHeader, limits: dict[tuple[str, ...], float], config
     """The rules that an episode breaks, in their order."""
     broken = {
         FAILED: not header.success,
-        RETRIED: header.info.get("retries", 0) > 0 and not config.keep_retried,
+        RETRIED: header.info.get("retries", 0) > 0 and not config.keep_retried and MISHAP not in header.info,
         TOO_LONG: header.success and header.steps > limits[_group(header, config)],
         OUTSIDE: _leaves_workspace(header, config),
         OUT_OF_VIEW: any(_leaves_view(header, camera) for camera in config.in_view),

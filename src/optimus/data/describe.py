@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.curate import CURATION_FILE, load_curation
-from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION
+from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION, MISHAP
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
 from optimus.data.imitability import Imitability, imitability
 from optimus.data.store import EpisodeStore
@@ -74,6 +74,8 @@ class Description:
     instructions: dict[str, int]
     perturbed: int
     retried: int
+    mishaps: int
+    """Episodes in which a thing was pushed or slipped."""
     split: dict[str, int] = field(default_factory=dict)
     """Train, validation and, by reason, dropped; empty where the data set is not curated."""
     starts: dict[str, Coverage] = field(default_factory=dict)
@@ -112,6 +114,7 @@ def describe(dataset: Path | str, progress: Callable[[int, int], None] = lambda 
         instructions=_most_first(Counter(str(i[INSTRUCTION]) for i in info if i.get(INSTRUCTION))),
         perturbed=sum(bool(i.get("perturbed")) for i in info),
         retried=sum(i.get("retries", 0) > 0 for i in info),
+        mishaps=sum(MISHAP in i for i in info),
         split=_split(store),
         starts={name: _coverage(np.array(places)) for name, places in starts.items()},
         actions=tuple(_spread(column) for column in _columns(store, actions)),

@@ -30,6 +30,8 @@ def arm_parts(control: str, size: int) -> tuple[slice, ...]:
     return (slice(0, size - 1),) if control == "joint" else (slice(0, 3), slice(3, 6))
 
 
+MISHAP = "mishap"
+"""In `Episode.info`, where a thing was pushed or slipped: the `kind` of it, as in `optimus.conditions`, and `at` which step."""
 INSTRUCTION = "instruction"
 """In an episode's `info`: what was wanted, in plain English; episodes of older data sets have none."""
 

@@ -38,6 +38,7 @@ def _header(about: Description) -> str:
         "Failed attempts": f"{sum(about.failures.values()):,}",
         "Pushed on purpose": f"{about.perturbed:,}",
         "Planned again": f"{about.retried:,}",
+        "Mishaps": f"{about.mishaps:,}",
     }
     if about.imitability is not None:
         numbers["Left to chance, an episode"] = f"{1000 * about.imitability.drift:.0f} mm"
