@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from conftest import SOLVED
+from optimus.control import POSITION_SCALE
 from optimus.data.episode import Episode
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -186,7 +187,7 @@ def test_a_late_gripper_waits_with_the_arm_and_then_obeys() -> None:
     """A hesitation is a standstill of hand and fingers at a change of the label, which stays; as often as it is said to be."""
     env, waits = ManipulationEnv(task("stack"), images=False), []
     for seed in range(12):
-        pushed = demonstrate(env, seed, ExpertConfig(perturbation=Perturbation())).episode
+        pushed = demonstrate(env, seed, ExpertConfig(perturbation=Perturbation(overshoots=0.0))).episode
         assert pushed is not None
         told, done = pushed.actions[:, 6], pushed.executed[:, 6]
         for change in np.flatnonzero(np.diff(told)) + 1:
@@ -199,6 +200,29 @@ def test_a_late_gripper_waits_with_the_arm_and_then_obeys() -> None:
         assert late.sum() == sum(waits[-2:])  # nowhere else
     waited = np.array(waits)
     assert waited.max() <= Perturbation().longest_hesitation and 0.25 < (waited > 0).mean() < 0.75
+
+
+def test_a_hand_that_goes_too_far_is_called_back_with_the_gripper_at_work() -> None:
+    """On the way to a late grasp or release the hand goes on as it came; the label leads back to where it was to stop."""
+    env, beyond, answers = ManipulationEnv(task("pick-place"), images=False), [], []
+    config = Perturbation(hesitations=1.0, overshoots=1.0)
+    for seed in range(8):
+        pushed = demonstrate(env, seed, ExpertConfig(perturbation=config)).episode
+        assert pushed is not None
+        if not pushed.success:  # pressed onto the ground it may be stuck
+            continue
+        at, told, done = pushed.observations["robot0_eef_pos"], pushed.actions[:, 6], pushed.executed[:, 6]
+        release = int(np.flatnonzero(np.diff(told) < 0)[-1]) + 1
+        wait = int(np.argmax(done[release:] == told[release]))
+        way, moved = at[release] - at[release - 1], pushed.executed[release : release + wait, :3]
+        assert (moved[: config.overshoot_steps] @ way > 0).all()
+        assert np.abs(moved[config.overshoot_steps :]).max(initial=0) < 1e-6
+        far = np.linalg.norm(moved * POSITION_SCALE, axis=1).sum()
+        assert far <= config.overshoot + 1e-6
+        beyond.append(far)
+        answers.append(float(pushed.actions[release + min(wait, config.overshoot_steps), 2]))
+    assert len(beyond) >= 7
+    assert np.corrcoef(beyond, answers)[0, 1] > 0.7  # the farther down, the farther up again
 
 
 def test_actions_stay_in_the_box_and_the_gripper_is_binary() -> None:

@@ -25,7 +25,7 @@ INVALID = "invalid plan"
 """How the failure of an attempt begins whose plan did not stand up to the check."""
 
 
-_BEFORE: dict[str, float] = {"hesitations": 0.0, "tremble_tilt": 0.0, "shove_tilt": 0.0}
+_BEFORE: dict[str, float] = {"hesitations": 0.0, "tremble_tilt": 0.0, "shove_tilt": 0.0, "overshoots": 0.0}
 """What an earlier version's perturbation had none of."""
 
 

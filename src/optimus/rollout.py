@@ -27,6 +27,8 @@ from optimus.world import World
 
 JOINT_TREMBLE = 0.005
 """Under joint control every joint trembles by this much besides the hand [rad], one standard deviation."""
+AT_REST = 2e-4
+"""A hand that came no farther in a step goes nowhere [m]."""
 LAST_LOOK = 12
 """Steps for which the world is still watched when the agent is done, so that what it let go can settle."""
 
@@ -77,6 +79,12 @@ class Perturbation:
     and so a policy stays there for ever."""
     longest_hesitation: int = 20
     """[steps]; longer than a policy looks back, or what it sees after a while of rest was never shown to it."""
+    overshoots: float = 0.5
+    """Probability that the hand goes on as it came before it rests with a late gripper. Without it, none says what to do below the
+    place of a release: a policy that opens the hand a few steps late has pressed what it holds onto the ground, and stays there."""
+    overshoot: float = 0.012
+    """Farthest that it goes on [m]"""
+    overshoot_steps: int = 4
 
 
 class Pushes:
@@ -89,10 +97,16 @@ class Pushes:
         self._still = 0
         self._told, self._gripper, self._late = 0.0, 0.0, 0
         """What the gripper is told to do (0: nothing yet), what it does, and for how many steps more it will not obey."""
+        self._at, self._way = np.full(3, np.nan), np.zeros(3)
+        """Where the hand was at the step before, and how far it had come in that step [m]."""
+        self._onwards, self._coasting = np.zeros(6), 0
+        """The motion of a step beyond where the hand was to stop, and for how many steps more."""
 
     def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
         """What to add to the next action `(n,)`, scaled by `slack` (0: no push does no harm now, 1: any)."""
         c, rng = self.config, self._rng
+        at = observation["robot0_eef_pos"].astype(float)
+        self._at, self._way = at, np.nan_to_num(at - self._at)
         tremble = rng.normal(size=6) * _spread(c.tremble, c.tremble_tilt, c.tremble_yaw)
         begins, shove = rng.uniform() < c.shoves, rng.normal(size=6) * _spread(c.shove, c.shove_tilt, c.shove_yaw)
         if begins and self._left == 0:
@@ -106,7 +120,11 @@ class Pushes:
         if self._still and slack > 0:
             noise[:GRIPPER] -= label[:GRIPPER]
         self._still = max(0, self._still - 1)
-        return noise if self._acts(label) else np.append(-label[:GRIPPER], self._gripper - label[GRIPPER]).astype(np.float64)
+        if self._acts(label):
+            return noise
+        onwards = self._arm(self._onwards if self._coasting else np.zeros(6), 0.0)
+        self._coasting = max(0, self._coasting - 1)
+        return np.append(onwards - label[:GRIPPER], self._gripper - label[GRIPPER]).astype(np.float64)
 
     def _acts(self, label: NDArray[np.float32]) -> bool:
         """Whether the gripper does now what it is told, or is late."""
@@ -115,10 +133,19 @@ class Pushes:
         if told != self._told:
             self._late = steps if late and self._told else 0
             self._told = told
+            self._overshoot()
         if self._late == 0:
             self._gripper = told
         self._late = max(0, self._late - 1)
         return self._gripper == told
+
+    def _overshoot(self) -> None:
+        """Draw whether, and how far, the hand goes on along the way that it came."""
+        config, speed = self.config, float(np.linalg.norm(self._way))
+        goes, length = self._rng.uniform() < config.overshoots, self._rng.uniform(0.0, config.overshoot)
+        self._coasting = config.overshoot_steps if goes and speed > AT_REST else 0
+        if self._coasting:
+            self._onwards = np.append(self._way / speed * length / config.overshoot_steps, np.zeros(3))
 
     def _arm(self, moved: NDArray[np.float64], slack: float) -> NDArray[np.float64]:
         """The arm's part of an action that moves the hand by `moved` `(6,)`: position [m], rotation vector [rad]."""
