@@ -65,11 +65,11 @@ def markdown(found: dict[str, Any]) -> str:
         hours = f"{cell['hours']:.2f}" if name == next(iter(cell["measured"])) else ""
         text.append(f"| {cell['row']} | {cell['column']} | {name or usual} | {said(m)} | {' | '.join(counted)} | {hours} |")
     steps = dict.fromkeys(command for cell, _, _ in lines(found) for command in cell["commands"])
-    text += ["", "## Commands", "", "```text", _command(found), "```", "", "By itself, in that folder:", ""]
+    text += ["", "## Commands", "", "```text", command_of(found), "```", "", "By itself, in that folder:", ""]
     return "\n".join([*text, "```text", *steps, "```", ""])
 
 
-def _command(found: dict[str, Any]) -> str:
+def command_of(found: dict[str, Any]) -> str:
     """What filled the rows that are filled."""
     filled = dict.fromkeys(cell["row"] for cell, _, _ in lines(found))
     return found["command"] if found["complete"] else f"{found['command']} --rows {shlex.join(filled)}"
