@@ -83,8 +83,9 @@ class Perturbation:
     """Probability that the hand goes on as it came before it rests with a late gripper. Without it, none says what to do below the
     place of a release: a policy that opens the hand a few steps late has pressed what it holds onto the ground, and stays there."""
     overshoot: float = 0.012
-    """Farthest that it goes on [m]"""
+    """Farthest that it goes on [m] ..."""
     overshoot_steps: int = 4
+    """... and in how many steps."""
 
 
 class Pushes:
