@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import shlex
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -139,7 +140,7 @@ def plot(found: dict[str, Any]) -> bytes:
             axes.plot((scale * low, scale * high), (i, i), color="black", linewidth=1.2)
         if cell["paper"] is not None:
             axes.plot(cell["paper"] * (scale if timed else 1.0), i, marker="D", color=PAPERS, markersize=5)
-        labels.append(f"{cell['row']}: {cell['column']}")
+        labels.append(textwrap.fill(f"{cell['row']}: {cell['column']}", 45))
     axes.set_yticks(range(len(labels)), labels, fontsize=8)
     axes.invert_yaxis()
     axes.set_xlabel("CPU time per action [ms]" if timed else "strict success [%], Wilson 95 % interval")
