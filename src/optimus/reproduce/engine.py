@@ -9,7 +9,7 @@ from typing import Any
 
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
-from optimus.reproduce.site import Site, slug
+from optimus.reproduce.site import Site, commit, slug
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.write import write_table
 
@@ -49,7 +49,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     path = _file(site, cell)
     if path.exists():
         return json.loads(path.read_text())
-    before = site.hours
+    before, of = site.hours, commit()
     measured = cell.work.do(site)
     result = {
         "row": cell.row,
@@ -58,6 +58,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
         "measured": measured,
         "commands": cell.work.commands(site),
         "hours": site.hours - before,
+        "commit": of,
     }
     write_json(path, result)
     return result

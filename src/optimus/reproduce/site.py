@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import platform
 import re
+import subprocess
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -80,6 +81,18 @@ class Site:
 def versions() -> dict[str, str]:
     """Of what decides about figures."""
     return {**installed_versions(), "torch": torch.__version__, "mujoco": mujoco.__version__}
+
+
+def commit() -> str | None:
+    """Of the checkout that the package runs from, with `-dirty` where files differ from it; none where it was installed."""
+    package = Path(__file__).parents[1]
+    ask = lambda *words: subprocess.run(("git", "-C", package, *words), capture_output=True, text=True, check=True).stdout.strip()  # noqa: E731
+    try:
+        # a package installed within another project's checkout is not of that project's commit
+        own = Path(ask("rev-parse", "--show-toplevel")) / "src" / package.name == package
+        return ask("describe", "--always", "--dirty", "--abbrev=7", "--exclude=*") if own else None
+    except (OSError, subprocess.CalledProcessError):
+        return None
 
 
 def machine() -> dict[str, Any]:

@@ -58,13 +58,14 @@ def markdown(found: dict[str, Any]) -> str:
             parts += [said(main), of_paper(cell["paper"], main is not None and "seconds" in main)]
         text.append(f"| {row} | " + " | ".join(parts) + " |")
     text += ["", f"![{found['title']}](plot.png)"]
-    text += ["", "## Every measurement", "", "| row | column | tried on | ours | by the paper's rule | distinct states | hours |"]
-    text.append("|---" * 7 + "|")
+    shown = ("row", "column", "tried on", "ours", "by the paper's rule", "distinct states", "hours", "commit")
+    text += ["", "## Every measurement", "", f"| {' | '.join(shown)} |", "|---" * len(shown) + "|"]
     for cell, name, m in lines(found):
         usual = "validation states" if "by_seed" in m else "seeds from 7000 on" if "episodes" in m and "successes" in m else ""
         counted = [str(m.get(k, "")) for k in ("paper_rule_successes", "distinct_states")]
-        hours = f"{cell['hours']:.2f}" if name == next(iter(cell["measured"])) else ""
-        text.append(f"| {cell['row']} | {cell['column']} | {name or usual} | {said(m)} | {' | '.join(counted)} | {hours} |")
+        spent = [f"{cell['hours']:.2f}", cell.get("commit") or ""] if name == next(iter(cell["measured"])) else ["", ""]
+        shown = [cell["row"], cell["column"], name or usual, said(m), *counted, *spent]
+        text.append(f"| {' | '.join(shown)} |")
     steps = dict.fromkeys(command for cell, _, _ in lines(found) for command in cell["commands"])
     text += ["", "## Commands", "", "```text", command_of(found), "```", "", "By itself, in that folder:", ""]
     return "\n".join([*text, "```text", *steps, "```", ""])
