@@ -2,7 +2,11 @@
 
 import csv
 import json
+import os
 import re
+import shutil
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -111,6 +115,28 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert "proves the path" in written and "--rows" not in written
     assert all(command in written for c in found["cells"] for command in c["commands"])
     assert imread(out / "plot.png").std() > 0
+    of = {c["commit"] for c in cells}
+    assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)
+
+
+def test_a_commit_is_named_only_where_the_package_runs_from_its_own_checkout(tmp_path: Path) -> None:
+    name = ("-c", "user.name=A", "-c", "user.email=a@b.c")
+    for package in (tmp_path / "own/src/optimus", tmp_path / "other/lib/optimus"):
+        shutil.copytree(Path(engine_module.__file__).parents[1], package, ignore=shutil.ignore_patterns("__pycache__"))
+        git = ("git", "-C", str(package.parents[1]), *name)
+        for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "all")):
+            subprocess.run((*git, *words), check=True)
+        ask = (sys.executable, "-c", "from optimus.reproduce.site import commit; print(commit())")
+        run = lambda ask=ask, path=package.parent: subprocess.run(  # noqa: E731
+            ask, env={**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True, check=True
+        ).stdout.strip()
+        if package.parent.name == "src":
+            head = subprocess.run((*git, "rev-parse", "HEAD"), check=True, capture_output=True, text=True).stdout
+            assert head.startswith(run())
+            (package / "py.typed").write_text("changed")
+            assert run().endswith("-dirty")
+        else:
+            assert run() == "None"
 
 
 def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(
