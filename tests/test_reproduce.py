@@ -119,24 +119,29 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)
 
 
+def _checkout(root: Path, package: str) -> Path:
+    """The package committed at that place of a new repository."""
+    there = root / package
+    shutil.copytree(Path(engine_module.__file__).parents[1], there, ignore=shutil.ignore_patterns("__pycache__"))
+    author = ("-c", "user.name=A", "-c", "user.email=a@b.c")
+    for words in (("init", "-q"), ("add", "."), (*author, "commit", "-qm", "all")):
+        subprocess.run(("git", "-C", str(root), *words), check=True)
+    return there
+
+
+def _commit_said_by(package: Path) -> str:
+    code = "from optimus.reproduce.site import commit; print(commit())"
+    environment = {**os.environ, "PYTHONPATH": str(package.parent), "PYTHONDONTWRITEBYTECODE": "1"}
+    return subprocess.check_output((sys.executable, "-c", code), env=environment, text=True).strip()
+
+
 def test_a_commit_is_named_only_where_the_package_runs_from_its_own_checkout(tmp_path: Path) -> None:
-    name = ("-c", "user.name=A", "-c", "user.email=a@b.c")
-    for package in (tmp_path / "own/src/optimus", tmp_path / "other/lib/optimus"):
-        shutil.copytree(Path(engine_module.__file__).parents[1], package, ignore=shutil.ignore_patterns("__pycache__"))
-        git = ("git", "-C", str(package.parents[1]), *name)
-        for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "all")):
-            subprocess.run((*git, *words), check=True)
-        ask = (sys.executable, "-c", "from optimus.reproduce.site import commit; print(commit())")
-        run = lambda ask=ask, path=package.parent: subprocess.run(  # noqa: E731
-            ask, env={**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True, check=True
-        ).stdout.strip()
-        if package.parent.name == "src":
-            head = subprocess.run((*git, "rev-parse", "HEAD"), check=True, capture_output=True, text=True).stdout
-            assert head.startswith(run())
-            (package / "py.typed").write_text("changed")
-            assert run().endswith("-dirty")
-        else:
-            assert run() == "None"
+    own = _checkout(tmp_path / "own", "src/optimus")
+    head = subprocess.check_output(("git", "-C", str(own), "rev-parse", "HEAD"), text=True)
+    assert head.startswith(_commit_said_by(own))
+    (own / "py.typed").write_text("changed")
+    assert _commit_said_by(own).endswith("-dirty")
+    assert _commit_said_by(_checkout(tmp_path / "other", "lib/optimus")) == "None"
 
 
 def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(
