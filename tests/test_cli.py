@@ -49,6 +49,14 @@ def test_help_loads_no_simulator_and_no_learner() -> None:
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split() == []
 
 
+def test_a_reader_that_has_seen_enough_is_no_error() -> None:
+    command = (sys.executable, "-m", "optimus.cli", "tasks")
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as asked:
+        assert asked.stdout is not None and asked.stderr is not None
+        asked.stdout.close()
+        assert asked.stderr.read() == b"" and asked.wait() == 141
+
+
 def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
     assert ", ".join(sorted(TASKS)) in refused("show", "stackk")
     assert "pick-place-two, shelf" in refused("collect", "stackk", "--out", str(tmp_path / "d"))

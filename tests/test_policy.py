@@ -22,7 +22,7 @@ from optimus.data.turns import as_columns
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
-from optimus.learn.agent import PolicyAgent
+from optimus.learn.agent import PolicyAgent, compiler
 from optimus.learn.encoder import Encoder, EncoderConfig, SpatialSoftmax
 from optimus.learn.gradient import LossConfig, batch_loss, windows_of
 from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
@@ -215,13 +215,23 @@ def test_the_gripper_goes_by_the_majority_of_the_weight(policy: Policy, monkeypa
 
 
 def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -> None:
-    episode = make_episode(5, 12)
-    agent = PolicyAgent(policy, "likeliest")
+    _check_answers(PolicyAgent(policy, "likeliest"))
+
+
+@pytest.mark.skipif(compiler() is None, reason="no C++ compiler")
+def test_a_compiled_agent_answers_as_the_policy_does_on_whole_windows() -> None:
+    shallow = PolicyConfig(trunk=replace(PolicyConfig().trunk, layers=1))  # each layer takes seconds to compile
+    seen = PolicyInputs("square", CAMERAS[:1], PROPRIOCEPTION, 1)
+    _check_answers(PolicyAgent(fresh_policy(shallow, seen, seed=0).eval(), "likeliest", compiled=True))
+
+
+def _check_answers(agent: PolicyAgent) -> None:
+    episode, policy = make_episode(5, 12), agent.policy
     agent.reset(0)
     answers = [agent.act(observation(episode, t)) for t in range(12)]
     for t in (0, 3, 11):
         frames = np.maximum(np.arange(t - 7, t + 1), 0)
-        images = {c: torch.from_numpy(episode.observations[f"{c}_image"][frames, 4:80, 4:80])[None] for c in CAMERAS}
+        images = {c: torch.from_numpy(episode.observations[f"{c}_image"][frames, 4:80, 4:80])[None] for c in policy.inputs.cameras}
         low = {n: torch.from_numpy(episode.observations[n][frames])[None] for n in PROPRIOCEPTION}
         with torch.inference_mode():
             features = policy.features(policy.tokens(policy.frames(images, low)))[:, -1]
@@ -229,6 +239,12 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
         np.testing.assert_allclose(answers[t][:6], expected[:6].clip(-1, 1), atol=1e-5)
         assert answers[t][6] in (-1, 1)
         assert answers[t].dtype == np.float32 and answers[t].shape == (7,)
+
+
+def test_without_a_compiler_a_policy_is_not_compiled(policy: Policy, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CXX", "no-such-compiler")
+    with pytest.raises(CheckpointError, match=r"needs a C\+\+ compiler"):
+        PolicyAgent(policy, compiled=True)
 
 
 def test_the_agent_is_a_function_of_its_seed(policy: Policy) -> None:

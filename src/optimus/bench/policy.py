@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,7 +16,7 @@ from optimus.bench.config import Progress
 from optimus.bench.yardstick import plain_action, plain_loss, plainly
 from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
 from optimus.data.windows import Batch
-from optimus.learn.agent import PolicyAgent
+from optimus.learn.agent import PolicyAgent, compiler
 from optimus.learn.gradient import LossConfig, batch_loss, usual_runtime
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.presets import preset
@@ -89,7 +87,7 @@ def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progr
     rng = np.random.default_rng(seed)
     frames = [_observation(rng) for _ in range(config.context + rounds)]
     agents = {"newest_frame": PolicyAgent(policy, "likeliest")}
-    if compiled and shutil.which(os.environ.get("CXX", "c++")):
+    if compiled and compiler():
         agents["compiled"] = PolicyAgent(policy, "likeliest", compiled=True)
     plain = plainly(policy)
     spent: dict[str, list[float]] = {way: [] for way in ("plain", *agents)}

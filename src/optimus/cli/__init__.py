@@ -36,7 +36,18 @@ Every verb has a --help with examples; --quiet goes with every one and leaves ou
 
 def main() -> None:
     """The `optimus` command. Exit status: 0; 1 when `doctor` finds something broken; 2 for an error that the user can mend;
-    130 when interrupted."""
+    130 when interrupted; 141 when what reads the output, as `head` does, has seen enough."""
+    try:
+        try:
+            _main()
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python tries once more as it ends, and complains
+        raise SystemExit(141) from None
+
+
+def _main() -> None:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import copy
+import os
+import shutil
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -28,7 +30,7 @@ class PolicyAgent:
     by the majority of the weight. `paper` samples by the plain weight, and the gripper with the rest. `continuous` samples like
     `sampled` and leaves the gripper as it comes, for policies that were taught where the fingers are to be.
 
-    `compiled` has PyTorch compile the network first, which takes a minute: for long use.
+    `compiled` has PyTorch compile the network first, which takes a minute: for long use. `CheckpointError` if there is no compiler.
     """
 
     def __init__(
@@ -95,10 +97,17 @@ class PolicyAgent:
         return images, low
 
 
+def compiler() -> str | None:
+    """The C++ compiler that PyTorch would compile a network with, if it is there."""
+    return shutil.which(os.environ.get("CXX", "c++"))
+
+
 @torch.no_grad()
 def _compiled(policy: Policy) -> tuple[Callable[..., Tensor], Callable[..., Tensor]]:
     """`policy.token` of one frame and `policy.features` of one window, compiled: the weights become constants that are laid out for
     the machine, which PyTorch does only where this is set while it compiles."""
+    if compiler() is None:
+        raise CheckpointError("to compile a policy needs a C++ compiler: c++ on the path, or the one that CXX names; do without")
     from torch._inductor import config as inductor  # seconds to import, and only this needs it
 
     config, seen = policy.config, policy.inputs
