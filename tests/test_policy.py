@@ -220,7 +220,7 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
 
 @pytest.mark.skipif(compiler() is None, reason="no C++ compiler")
 def test_a_compiled_agent_answers_as_the_policy_does_on_whole_windows() -> None:
-    shallow = PolicyConfig(trunk=replace(PolicyConfig().trunk, layers=1))  # each layer takes seconds to compile
+    shallow = PolicyConfig(trunk=TransformerConfig(layers=1))  # each layer takes seconds to compile
     seen = PolicyInputs("square", CAMERAS[:1], PROPRIOCEPTION, 1)
     _check_answers(PolicyAgent(fresh_policy(shallow, seen, seed=0).eval(), "likeliest", compiled=True))
 
