@@ -97,6 +97,7 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
     assert not [s for s in stages if s.startswith(("expert", "train", "collect"))]
     assert found["complete"] and found["hours"] > unfinished["hours"] > 0
     _check_written(tmp_path, found)
+    _check_the_best_is_not_tried_again_where_it_is_the_last(Site("table-b2", tmp_path, tiny, workers=1))
     with pytest.raises(DatasetError, match="budget"):
         reproduce(Site("table-b2", tmp_path, budget("cpu")))
 
@@ -117,6 +118,15 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert imread(out / "plot.png").std() > 0
     of = {c["commit"] for c in cells}
     assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)
+
+
+def _check_the_best_is_not_tried_again_where_it_is_the_last(site: Site) -> None:
+    lesson = Lesson((Data("stack"),))
+    run = lesson.run(site, 0)
+    shutil.copy(run / checkpoint.MODEL_FILE, run / checkpoint.BEST_FOLDER)
+    files = set(run.rglob("*"))
+    last, best = (lesson.tried(site, 0, Trial("", "validation", which)) for which in ("last", "best"))
+    assert best == last and set(run.rglob("*")) == files
 
 
 def _checkout(root: Path, package: str) -> Path:

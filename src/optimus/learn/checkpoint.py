@@ -5,6 +5,7 @@ Plain JSON and safetensors only: loading one never runs code from the file.
 
 from __future__ import annotations
 
+import filecmp
 import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -52,6 +53,11 @@ def best_step(run: Path) -> int | None:
     if not (run / BEST_FOLDER / CONFIG_FILE).exists():
         return None
     return int(read_config(run / BEST_FOLDER)["best"]["step"])
+
+
+def best_is_last(run: Path) -> bool:
+    """Whether the best policy that is kept is the last one, to the last bit."""
+    return filecmp.cmp(run / MODEL_FILE, run / BEST_FOLDER / MODEL_FILE, shallow=False)
 
 
 def write_config(run: Path, config: Mapping[str, Any]) -> None:

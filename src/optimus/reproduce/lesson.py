@@ -14,6 +14,7 @@ from optimus.data.curate import CURATION_FILE, CurationConfig, curate
 from optimus.demonstrate import ExpertConfig
 from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, validation_starts
 from optimus.expert import TimeLaw
+from optimus.learn import checkpoint
 from optimus.learn.presets import HeadName, Observe, preset
 from optimus.learn.train import Progress, train
 from optimus.reproduce.site import Site, slug
@@ -143,8 +144,10 @@ class Lesson:
         (run / "done").touch()
 
     def tried(self, site: Site, seed: int, trial: Trial) -> dict[str, Any]:
-        """The report of an evaluation; what was evaluated earlier is read."""
+        """The report of an evaluation; what was evaluated earlier is read, for the best policy also where it is the last one."""
         run = policy_folder(self.run(site, seed), trial.which)
+        if trial.which == "best" and checkpoint.best_is_last(self.run(site, seed)):
+            run = self.run(site, seed)
         file = run / EvalReport(self.name, trial.label, (), trial.under(site)).file_name
         if file.exists():
             return json.loads(file.read_text())
