@@ -18,10 +18,11 @@ from optimus.cli.measurements import bench
 from optimus.cli.objects import objects
 from optimus.cli.output import QUIET
 from optimus.cli.pages import report
-from optimus.cli.policies import evaluate, export_policy, train
+from optimus.cli.policies import evaluate, export_policy
 from optimus.cli.rendering import render
 from optimus.cli.reproduction import reproduce
 from optimus.cli.scenes import show, tasks
+from optimus.cli.training import train
 from optimus.errors import OptimusError, UnknownNameError
 
 _SEEING = (tasks, objects, show, view)

@@ -1,219 +1,31 @@
-"""`train`, `evaluate` and `export-policy`: from a dataset to a policy, how good it is, and on to elsewhere."""
+"""`evaluate` and `export-policy`: how good a policy is, and on to elsewhere."""
 
 from __future__ import annotations
 
-import os
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import arg
 
 from optimus.cli.options import (
-    Datasets,
     Friction,
     Json,
     Mass,
     ObjectsName,
     PerturbName,
-    PresetName,
     RobotName,
     RunFolder,
     Workers,
     chosen_robot,
 )
-from optimus.cli.output import StageBars, bar, counter, counts, rate, say
+from optimus.cli.output import bar, counter, counts, rate, say
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from optimus.evaluate import Start
-    from optimus.learn.policy import PolicyConfig
-    from optimus.learn.recipe import TrainConfig
-    from optimus.learn.train import Progress
 
 Episodes = Annotated[int, arg(help="how many to play")]
 ExpectedTask = Annotated[str | None, arg(metavar="TASK", help="refuse a policy that was not trained for it; of several: which")]
-
-
-def train(
-    datasets: Datasets,
-    out: Path,
-    minutes: float | None = None,
-    steps: int | None = None,
-    seed: int = 0,
-    preset: PresetName = "quick",
-    head: Literal["gmm", "gaussian", "mse", "flow", "bet"] | None = None,
-    observe: Literal["images", "state"] = "images",
-    recipe: Literal["quick", "paper"] | None = None,
-    batch: int | None = None,
-    consecutive: int = 1,
-    labels: Literal["all", "last"] | None = None,
-    accumulate: int = 1,
-    ema: float | None = None,
-    precision: Literal["auto", "float32", "bfloat16"] = "auto",
-    device: Literal["auto", "cpu", "cuda"] = "auto",
-    board: Literal["tensorboard", "wandb", "none"] = "tensorboard",
-    corrections: tuple[Path, ...] = (),
-    initial: Path | None = None,
-    dagger: int = 0,
-    dagger_episodes: int = 50,
-    dagger_plain: bool = False,
-    dagger_evaluations: int = 50,
-    workers: Workers = 0,
-    json: Json = False,
-) -> None:
-    """Train a policy on one dataset or several by behaviour cloning; a second call goes on where the first was stopped.
-
-    Try:
-        optimus train data/stack --out runs/stack --minutes 12
-        optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
-        optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
-        optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
-        optimus train data/stack --out runs/stack --steps 3000 --dagger 2 --dagger-episodes 50
-        torchrun --nproc-per-node 2 -m optimus.cli train data/stack --out runs/stack --steps 5000
-
-    Args:
-        out: the run's folder
-        minutes: time to train for; the learning rate anneals over it; 10 unless --steps or the recipe say how many
-        steps: train for this many gradient steps instead
-        seed: of the first weights and of the order of the data
-        preset: the network
-        head: what answers, in place of the preset's own
-        observe: see with cameras, or be told how the objects lie (the paper's ablation)
-        recipe: quick (minutes on a CPU) or paper (Table D.1: 1M steps of 16 windows, 1e-4 to 1e-5 over 100K); by default the
-            preset's own
-        batch: windows in a step, all processes together, in place of the recipe's
-        consecutive: cut the batch in runs of so many windows, one frame apart, whose frames are encoded once
-        labels: learn the actions at all frames of a window or only at its last; by default the recipe's (quick: all, paper: last)
-        accumulate: compute a batch in this many portions, one after the other
-        ema: decay of the running average of the weights that is kept; 0 keeps the newest weights
-        precision: of the convolutions; auto: bfloat16 where the hardware has it
-        device: what to train on; auto: a GPU if there is one
-        board: where the figures can be watched: `tensorboard --logdir OUT`, or Weights & Biases
-        corrections: further datasets, from `optimus collect --policy`, to train on as well
-        initial: a run folder whose weights to begin with
-        dagger: rounds in which the newest policy acts, the planner answers from wherever that led, and training goes on
-        dagger_episodes: successful episodes that each round adds
-        dagger_plain: add as many demonstrations by the expert alone instead, for comparison
-        dagger_evaluations: episodes in which success is measured before and after each round
-    """
-    from optimus.learn.presets import preset as chosen_preset
-    from optimus.learn.ranks import is_first
-    from optimus.learn.train import train as run_train
-
-    chosen = chosen_preset(preset, head, observe)
-    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, consecutive, labels, accumulate, ema, precision, device)
-    if is_first():
-        for dataset in datasets:
-            _curate_if_needed(dataset)
-    if dagger > 0:
-        _require_plain_lesson(datasets, corrections, initial)
-        rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
-        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, json)
-        return
-    with bar(None, "train", "step", silent=not is_first()) as shown:
-        policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
-    if is_first():
-        count = policy.parameter_count
-        say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
-
-
-def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None) -> None:
-    """`DatasetError` for what does not go with --dagger."""
-    from optimus.errors import DatasetError
-
-    if len(datasets) != 1 or corrections or initial or int(os.environ.get("WORLD_SIZE", "1")) > 1:
-        raise DatasetError("--dagger takes one dataset and one process, without --corrections and --initial")
-
-
-def _rounds(
-    dataset: Path, out: Path, lesson: tuple[TrainConfig, PolicyConfig], rounds: tuple[int, int, bool, int, int], json: bool
-) -> None:
-    from optimus.dagger import DaggerConfig, dagger
-
-    bars = StageBars()
-    try:
-        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1])
-    finally:
-        bars.close()
-    lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]
-    say({"run": str(out), **report}, json, "\n".join(lines))
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What the options of `train` say about how."""
-
-    minutes: float | None
-    steps: int | None
-    seed: int
-    recipe: str
-    batch: int | None
-    consecutive: int
-    labels: Literal["all", "last"] | None
-    accumulate: int
-    ema: float | None
-    precision: str
-    device: Literal["auto", "cpu", "cuda"]
-
-    @property
-    def config(self) -> TrainConfig:
-        """The recipe, with what was asked for in place of its own."""
-        from optimus.learn.recipe import recipe
-
-        base = recipe(self.recipe)
-        windows = base.loss.runs if self.batch is None else self.batch
-        loss = replace(base.loss, runs=self._runs(windows), supervise=self.labels or base.loss.supervise)
-        optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
-        return replace(
-            base,
-            steps=self.steps if self.steps is not None or self.minutes is not None else base.steps,
-            minutes=base.minutes if self.minutes is None else self.minutes,
-            seed=self.seed,
-            windows=self.consecutive,
-            loss=loss,
-            optimiser=optimiser,
-            accumulate=self.accumulate,
-            half=None if self.precision == "auto" else self.precision == "bfloat16",
-            device=self.device,
-        )
-
-    def _runs(self, windows: int) -> int:
-        """How many runs that many windows are; `BatchError` if that is no whole number."""
-        from optimus.learn.gradient import BatchError
-
-        if self.consecutive < 1 or windows % self.consecutive:
-            valid = ", ".join(str(n) for n in range(1, windows + 1) if windows % n == 0)
-            raise BatchError(f"--consecutive {self.consecutive}: a batch of {windows} windows takes one of {valid}")
-        return windows // self.consecutive
-
-
-def _training(bar: Any) -> Callable[[Progress], None]:
-    def progress(p: Progress) -> None:
-        bar.total, bar.n = p.steps, p.step
-        shown = ("loss", "held_out_action_error_mm", "labels_per_second")
-        bar.set_postfix({k: f"{p.metrics[k]:.3g}" for k in shown if k in p.metrics}, refresh=False)
-        bar.update(0)
-
-    return progress
-
-
-def _curate_if_needed(dataset: Path) -> None:
-    """Curate, unless it has been done and every episode was there then."""
-    from optimus.data.curate import curate, load_curation
-    from optimus.data.store import EpisodeStore
-    from optimus.errors import DatasetError
-
-    store = EpisodeStore.open(dataset)
-    try:
-        known = load_curation(dataset)
-        if set(known.kept) | set(known.dropped) == set(store.seeds):
-            return
-    except DatasetError:
-        pass
-    curate(dataset)
 
 
 def evaluate(

@@ -1,0 +1,79 @@
+"""What an episode came to, and what all of them together."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from optimus.conditions import USUAL, Conditions
+from optimus.data.atomic import write_json, write_whole
+from optimus.statistics import wilson
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One evaluated episode."""
+
+    seed: int
+    success: bool
+    paper_success: bool
+    steps: int
+    cause: str
+    variant: str
+    draws: int = 0
+    """Seed of the policy's own draws."""
+    mishap_at: int | None = None
+    """Step at which what `Conditions.perturb` asks for happened; None if it did not."""
+
+
+@dataclass(frozen=True)
+class EvalReport:
+    """What an evaluation found, in the order of its initial states."""
+
+    task: str
+    states: str
+    outcomes: tuple[Outcome, ...]
+    conditions: Conditions = USUAL
+
+    @property
+    def successes(self) -> int:
+        return sum(o.success for o in self.outcomes)
+
+    @property
+    def episodes(self) -> int:
+        return len(self.outcomes)
+
+    def as_dict(self) -> dict[str, Any]:
+        """JSON-able: counts, the Wilson 95 % interval, failures by cause, every outcome."""
+        return {
+            "task": self.task,
+            "states": self.states,
+            "conditions": asdict(self.conditions),
+            "successes": self.successes,
+            "episodes": self.episodes,
+            "distinct_states": len({o.seed for o in self.outcomes}),
+            "interval": list(wilson(self.successes, self.episodes)),
+            "paper_rule_successes": sum(o.paper_success for o in self.outcomes),
+            "failures": dict(Counter(o.cause for o in self.outcomes if not o.success)),
+            "mishaps": sum(o.mishap_at is not None for o in self.outcomes),
+            "outcomes": [asdict(o) for o in self.outcomes],
+        }
+
+    @property
+    def lines(self) -> str:
+        """The outcomes as JSON lines, one an episode, in the order of the initial states: the same text whoever played them."""
+        return "".join(json.dumps(asdict(o)) + "\n" for o in self.outcomes)
+
+    @property
+    def file_name(self) -> str:
+        """Of the report in a run's folder."""
+        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said])) + ".json"
+
+    def write(self, run: Path) -> None:
+        """`RUN/evaluation-<states>[+<conditions>].json` with everything, and the outcomes beside it as `.jsonl`."""
+        path = run / self.file_name
+        write_whole(path.with_suffix(".jsonl"), self.lines.encode())
+        write_json(path, self.as_dict())
