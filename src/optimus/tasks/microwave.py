@@ -121,6 +121,6 @@ def _task(name: str, summary: str, horizon: int, sizes: bool = False, adapt: boo
     return Task(name, summary, partial(drawn, OBJECTS), horizon, CLOSE_UP, EYE, drawn)
 
 
-MICROWAVE = _task("microwave", "open the microwave and put an object in", 600)
-MICROWAVE_RECEPTACLE = _task("microwave-receptacle", "the same, with a microwave of another size every time", 600, sizes=True)
-MICROWAVE_ADAPT = _task("microwave-adapt", "the same; in half of the starts, something before the door", 800, adapt=True)
+MICROWAVE = _task("microwave", "open the microwave and put an object in", 1000)
+MICROWAVE_RECEPTACLE = _task("microwave-receptacle", "the same, with a microwave of another size every time", 1000, sizes=True)
+MICROWAVE_ADAPT = _task("microwave-adapt", "the same; in half of the starts, something before the door", 1300, adapt=True)
