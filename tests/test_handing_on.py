@@ -22,7 +22,7 @@ from optimus.errors import CheckpointError, DatasetError, OptimusError
 from optimus.evaluate import evaluate, random_starts
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.card import write_card
-from optimus.learn.checkpoint import load, read_config
+from optimus.learn.checkpoint import load, read_config, write_config
 from optimus.learn.gradient import LossConfig, Runtime
 from optimus.learn.policy import PolicyInputs
 from optimus.learn.presets import preset
@@ -61,6 +61,18 @@ def test_a_run_is_loaded_and_acts(run: Path) -> None:
     np.testing.assert_array_equal(first, [policy.act(frame) for frame in seen])
     with pytest.raises(CheckpointError, match="no trained policy"):
         optimus.load_policy(run.parent)
+
+
+def test_a_policy_of_a_continuous_gripper_says_how_far_to_shut(run: Path, tmp_path: Path) -> None:
+    other = tmp_path / "run"
+    shutil.copytree(run, other)
+    config = read_config(other)
+    config["dataset"]["config"]["gripper"] = "continuous"
+    write_config(other, config)
+    frame = frames(make_episode(3, 1))[0]
+    binary, continuous = (optimus.load_policy(folder).act(frame) for folder in (run, other))
+    assert binary[6] in (-1, 1) and -1 < continuous[6] < 1
+    np.testing.assert_array_equal(continuous[:6], binary[:6])
 
 
 def test_torch_is_imported_only_where_it_is_used() -> None:

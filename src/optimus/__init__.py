@@ -32,7 +32,7 @@ def load_policy(run: Path | str, component: Component = "sampled", compiled: boo
     `CheckpointError` if there is no policy in the folder, or it is damaged. See
     `optimus.learn.agent.PolicyAgent` for `component` and `compiled`.
     """
-    from optimus.learn.agent import PolicyAgent  # torch takes seconds, and most of the package does without
+    from optimus.learn.agent import trained_agent  # torch takes seconds, and most of the package does without
     from optimus.pretrained import run_folder
 
-    return PolicyAgent(run_folder(run), component, compiled=compiled)
+    return trained_agent(run_folder(run), component, compiled)

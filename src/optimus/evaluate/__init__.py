@@ -1,6 +1,6 @@
 """The evaluation protocol: a list of initial states, one episode each, k of n with an honest interval."""
 
-from optimus.evaluate.actors import agent, environment, policy_folder, require_same_problems, trained_robot
+from optimus.evaluate.actors import environment, policy_folder, require_same_problems, trained_robot
 from optimus.evaluate.outcome import EvalReport, Outcome
 from optimus.evaluate.start import RANDOM_SEEDS_FROM, Start, random_starts, validation_starts
 from optimus.evaluate.trials import evaluate, play
@@ -10,7 +10,6 @@ __all__ = [
     "EvalReport",
     "Outcome",
     "Start",
-    "agent",
     "environment",
     "evaluate",
     "play",

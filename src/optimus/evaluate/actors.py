@@ -5,12 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from optimus.conditions import USUAL, Conditions
-from optimus.data.episode import BINARY, CONTINUOUS
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
 from optimus.learn import checkpoint
-from optimus.learn.agent import Component, PolicyAgent
 from optimus.learn.policy import PolicyInputs
 from optimus.robots import Robot
 from optimus.robots.catalogue import known_robots
@@ -51,11 +49,6 @@ def policy_folder(run: Path, which: str) -> Path:
     return folder
 
 
-def agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
-    """The policy of that run folder, ready to act; its gripper moves as in the demonstrations that it was trained on."""
-    return PolicyAgent(run, component if _gripper(run) == BINARY else CONTINUOUS, compiled=compiled)
-
-
 def environment(
     run: Path,
     inputs: PolicyInputs,
@@ -73,14 +66,9 @@ def environment(
         control=inputs.control,
         robot=trained_robot(run, robot),
         positions=inputs.told,
-        gripper=_gripper(run),
+        gripper=checkpoint.gripper_of(run),
         worlds=conditions.world,
     )
-
-
-def _gripper(run: Path) -> str:
-    """How the gripper moved in the demonstrations that the policy of that run folder was trained on."""
-    return checkpoint.read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
 
 
 def task_of(trained: str, asked: str | None, run: Path) -> str:

@@ -14,11 +14,11 @@ from optimus.conditions import USUAL, Conditions
 from optimus.data.episode import Episode
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError
-from optimus.evaluate.actors import agent, environment, task_of, trained_robot
+from optimus.evaluate.actors import environment, task_of, trained_robot
 from optimus.evaluate.outcome import EvalReport, Outcome
 from optimus.evaluate.start import Start
 from optimus.learn import checkpoint
-from optimus.learn.agent import Component, PolicyAgent
+from optimus.learn.agent import Component, PolicyAgent, trained_agent
 from optimus.robots import Robot
 from optimus.rollout import rollout
 from optimus.workers import finished
@@ -27,7 +27,7 @@ from optimus.workers import finished
 @lru_cache(maxsize=1)
 def _agent(run: Path, component: Component, compiled: bool) -> PolicyAgent:
     torch.set_num_threads(1)
-    return agent(run, component, compiled)
+    return trained_agent(run, component, compiled)
 
 
 @lru_cache(maxsize=1)

@@ -14,7 +14,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from optimus.data.episode import IMAGE_SUFFIX, Observation
+from optimus.data.episode import BINARY, CONTINUOUS, IMAGE_SUFFIX, Observation
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
 from optimus.learn.encoder.prepack import prepacked
@@ -95,6 +95,11 @@ class PolicyAgent:
         images = {camera: _centre(observation[camera + IMAGE_SUFFIX], crop) for camera in inputs.cameras}
         low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
         return images, low
+
+
+def trained_agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
+    """The policy of that run folder, ready to act; its gripper moves as in the demonstrations that it was trained on."""
+    return PolicyAgent(run, component if checkpoint.gripper_of(run) == BINARY else CONTINUOUS, compiled=compiled)
 
 
 def compiler() -> str | None:

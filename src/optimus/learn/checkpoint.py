@@ -18,7 +18,7 @@ from safetensors.torch import save as serialise
 from torch import Tensor
 
 from optimus.data.atomic import make_folder, write_json, write_whole
-from optimus.data.episode import OSC, TASKS_OWN
+from optimus.data.episode import BINARY, OSC, TASKS_OWN
 from optimus.errors import CheckpointError
 from optimus.learn.policy import Policy
 
@@ -58,6 +58,11 @@ def best_step(run: Path) -> int | None:
 def best_is_last(run: Path) -> bool:
     """Whether the best policy that is kept is the last one, to the last bit."""
     return filecmp.cmp(run / MODEL_FILE, run / BEST_FOLDER / MODEL_FILE, shallow=False)
+
+
+def gripper_of(run: Path) -> str:
+    """How the gripper moved in the demonstrations that the policy of that run folder was trained on."""
+    return read_config(run).get("dataset", {}).get("config", {}).get("gripper", BINARY)
 
 
 def write_config(run: Path, config: Mapping[str, Any]) -> None:

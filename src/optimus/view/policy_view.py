@@ -12,7 +12,8 @@ import torch
 
 from optimus.control import CONTROL_HZ, POSITION_SCALE
 from optimus.data.episode import Observation
-from optimus.evaluate import RANDOM_SEEDS_FROM, agent, environment
+from optimus.evaluate import RANDOM_SEEDS_FROM, environment
+from optimus.learn.agent import trained_agent
 from optimus.learn.heads import Mixture, MixtureHead
 from optimus.se3 import Array
 from optimus.tasks import task as task_named
@@ -34,7 +35,7 @@ class PolicyView:
     """A policy that plays one problem after another, in real time as far as the machine can."""
 
     def __init__(self, server: viser.ViserServer, run: Path, seed: int = 0, robot: Robot | None = None) -> None:
-        self._server, self._agent = server, agent(run)
+        self._server, self._agent = server, trained_agent(run)
         inputs = self._agent.policy.inputs
         self._task = task_named(inputs.task)
         self._env = environment(run, inputs, robot)

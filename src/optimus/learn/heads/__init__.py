@@ -21,7 +21,7 @@ class Answers(Protocol):
         ...
 
     def answer(self, component: Component, noise: torch.Generator) -> Tensor:
-        """What is carried out, the gripper -1 or 1."""
+        """What is carried out, the gripper -1 or 1, or as it comes if `continuous`."""
         ...
 
 

@@ -57,8 +57,11 @@ class Flow:
         return self.carried(torch.randn(self.shape, generator=noise, device=self.device))
 
     def answer(self, component: Component, noise: torch.Generator) -> Tensor:
-        """The actions `(..., chunk, n)`, their gripper -1 or 1. They are drawn by the flow itself for `sampled` and `paper`."""
+        """The actions `(..., chunk, n)`, their gripper -1 or 1, or as it comes if `continuous`. They are drawn by the flow itself
+        unless the `likeliest` is asked for."""
         actions = self.likeliest() if component == "likeliest" else self.sampled(noise)
+        if component == "continuous":
+            return actions
         shut = torch.where(actions[..., GRIPPER:] > 0, 1.0, -1.0)
         return torch.cat([actions[..., :GRIPPER], shut], -1)
 
