@@ -116,6 +116,7 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert "proves the path" in written and "--rows" not in written
     assert all(command in written for c in found["cells"] for command in c["commands"])
     assert imread(out / "plot.png").std() > 0
+    assert all(c["machine"]["processor"] in written for c in cells)
     of = {c["commit"] for c in cells}
     assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
-from optimus.reproduce.site import Site, commit, slug
+from optimus.reproduce.site import Site, commit, machine, slug
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.write import write_table
 
@@ -59,6 +59,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
         "commands": cell.work.commands(site),
         "hours": site.hours - before,
         "commit": of,
+        "machine": machine(),
     }
     write_json(path, result)
     return result

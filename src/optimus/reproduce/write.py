@@ -58,12 +58,13 @@ def markdown(found: dict[str, Any]) -> str:
             parts += [said(main), of_paper(cell["paper"], main is not None and "seconds" in main)]
         text.append(f"| {row} | " + " | ".join(parts) + " |")
     text += ["", f"![{found['title']}](plot.png)"]
-    shown = ("row", "column", "tried on", "ours", "by the paper's rule", "distinct states", "hours", "commit")
+    shown = ("row", "column", "tried on", "ours", "by the paper's rule", "distinct states", "hours", "commit", "processor")
     text += ["", "## Every measurement", "", f"| {' | '.join(shown)} |", "|---" * len(shown) + "|"]
     for cell, name, m in lines(found):
         usual = "validation states" if "by_seed" in m else "seeds from 7000 on" if "episodes" in m and "successes" in m else ""
         counted = [str(m.get(k, "")) for k in ("paper_rule_successes", "distinct_states")]
-        spent = [f"{cell['hours']:.2f}", cell.get("commit") or ""] if name == next(iter(cell["measured"])) else ["", ""]
+        spent = [f"{cell['hours']:.2f}", cell["commit"] or "", cell["machine"]["processor"]]
+        spent = spent if name == next(iter(cell["measured"])) else [""] * len(spent)
         shown = [cell["row"], cell["column"], name or usual, said(m), *counted, *spent]
         text.append(f"| {' | '.join(shown)} |")
     steps = dict.fromkeys(command for cell, _, _ in lines(found) for command in cell["commands"])
@@ -79,14 +80,18 @@ def command_of(found: dict[str, Any]) -> str:
 
 def _about(found: dict[str, Any]) -> str:
     """With how much of what it was made, as far as it matters to what was measured."""
-    machine, versions = found["machine"], ", ".join(f"{k} {v}" for k, v in found["versions"].items())
+    versions = ", ".join(f"{k} {v}" for k, v in found["versions"].items())
     timed = any("seconds" in m for _, _, m in lines(found))
     parts = [
         *(_of_times(found["asked"]["budget"]) if timed else _of_trials(found["asked"]["budget"], found["asked"]["seed"])),
-        f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}. {versions}.",
+        f"{'; '.join(dict.fromkeys(_said_of(cell['machine']) for cell in found['cells']))}. {versions}.",
         f"{found['hours']:.2f} hours, that of other work on the machine included.",
     ]
     return " ".join(parts) + ("" if found["complete"] else f" **Not finished; missing: {', '.join(found['missing'])}.**")
+
+
+def _said_of(machine: dict[str, Any]) -> str:
+    return f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}"
 
 
 def _of_times(budget: dict[str, Any]) -> list[str]:
