@@ -132,6 +132,8 @@ def test_a_preset_with_another_head_is_trained_and_exported(tmp_path: Path) -> N
     assert 0 < count - result["parameters"] < 200  # besides the weights there is only the normalisation
     assert "quick-rnn" in refused("train", str(data), "--out", str(run), "--preset", "quick-lstm")
     assert "1, 2, 3, 6" in refused("train", str(data), "--out", str(run), "--batch", "6", "--consecutive", "4")
+    both = refused("train", str(data), "--out", str(run), "--minutes", "1", "--epochs", "2")
+    assert "--minutes and --epochs each say how long" in both
     pytest.importorskip("onnxscript", reason="needs the extra `onnx`")
     assert result_of("export-policy", str(run), "--onnx", str(tmp_path / "policy.onnx"))["bytes"] > 4 * result["parameters"]
 

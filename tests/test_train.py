@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from safetensors.numpy import load_file
 
+from optimus.data.curate import load_curation
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError, DatasetError
@@ -181,6 +183,19 @@ def test_a_budget_of_minutes_is_kept(dataset: Path, tmp_path: Path) -> None:
     train(dataset, tmp_path, config, SMALL)
     assert 2.4 < time.perf_counter() - start < 9.6  # of 4.8 s, on a machine that others use too
     assert metrics.read(tmp_path)[-1]["steps"] == metrics.read(tmp_path)[-1]["step"]
+
+
+def test_epochs_are_passes_over_the_training_episodes(dataset: Path, tmp_path: Path) -> None:
+    config = replace(QUICK, steps=None, epochs=2.5)
+    train(dataset, tmp_path / "epochs", config, SMALL)
+    store = EpisodeStore.open(dataset)
+    actions = sum(len(store.read(seed).actions) for seed in load_curation(dataset).train)
+    labels = 4 * SMALL.context  # of the 4 windows in a batch, at each of their frames
+    steps = metrics.read(tmp_path / "epochs")[-1]["step"]
+    assert steps == math.ceil(2.5 * actions / labels)
+    train(dataset, tmp_path / "steps", replace(config, steps=int(steps), epochs=None), SMALL)
+    weights = [(tmp_path / run / "model.safetensors").read_bytes() for run in ("epochs", "steps")]
+    assert weights[0] == weights[1]
 
 
 @given(steps=st.integers(2, 1000), left=st.floats(1, 100), pace=st.floats(0.01, 1), data=st.data())

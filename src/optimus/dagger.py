@@ -172,7 +172,8 @@ class _Rounds:
         if number:
             rate = replace(lesson.rate, first=RATE_SHARE * first)
             steps = None if lesson.steps is None else max(1, round(ROUND_SHARE * lesson.steps))
-            lesson = replace(lesson, steps=steps, minutes=ROUND_SHARE * lesson.minutes, rate=rate)
+            epochs = None if lesson.epochs is None else ROUND_SHARE * lesson.epochs
+            lesson = replace(lesson, steps=steps, epochs=epochs, minutes=ROUND_SHARE * lesson.minutes, rate=rate)
 
         def report(p: Progress) -> None:
             shown = ("loss", "held_out_action_error_mm")

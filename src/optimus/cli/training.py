@@ -22,6 +22,7 @@ def train(
     datasets: Datasets,
     out: Path,
     minutes: float | None = None,
+    epochs: float | None = None,
     steps: int | None = None,
     seed: int = 0,
     preset: PresetName = "quick",
@@ -49,6 +50,7 @@ def train(
 
     Try:
         optimus train data/stack --out runs/stack --minutes 12
+        optimus train data/stack --out runs/stack --epochs 20
         optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
@@ -57,7 +59,8 @@ def train(
 
     Args:
         out: the run's folder
-        minutes: time to train for; the learning rate anneals over it; 10 unless --steps or the recipe say how many
+        minutes: time to train for; the learning rate anneals over it; 10 unless --epochs, --steps or the recipe say how long
+        epochs: pass over the demonstrations this many times instead: no result depends on the machine's pace
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
         preset: the network
@@ -85,7 +88,8 @@ def train(
     from optimus.learn.train import train as run_train
 
     chosen = chosen_preset(preset, head, observe)
-    asked = Asked(minutes, steps, seed, recipe or chosen.recipe, batch, consecutive, labels, accumulate, ema, precision, device)
+    how = recipe or chosen.recipe
+    asked = Asked(minutes, epochs, steps, seed, how, batch, consecutive, labels, accumulate, ema, precision, device)
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
@@ -128,6 +132,7 @@ class Asked:
     """What the options of `train` say about how."""
 
     minutes: float | None
+    epochs: float | None
     steps: int | None
     seed: int
     recipe: str
@@ -150,7 +155,8 @@ class Asked:
         optimiser = base.optimiser if self.ema is None else replace(base.optimiser, average=self.ema)
         return replace(
             base,
-            steps=self.steps if self.steps is not None or self.minutes is not None else base.steps,
+            steps=base.steps if self._how_long is None else self.steps,
+            epochs=base.epochs if self._how_long is None else self.epochs,
             minutes=base.minutes if self.minutes is None else self.minutes,
             seed=self.seed,
             windows=self.consecutive,
@@ -160,6 +166,16 @@ class Asked:
             half=None if self.precision == "auto" else self.precision == "bfloat16",
             device=self.device,
         )
+
+    @property
+    def _how_long(self) -> str | None:
+        """The option that says for how long, if one does; `TrainingError` if several do."""
+        from optimus.learn.train import TrainingError
+
+        given = [name for name in ("minutes", "epochs", "steps") if getattr(self, name) is not None]
+        if len(given) > 1:
+            raise TrainingError(f"{' and '.join(f'--{name}' for name in given)} each say how long to train; give one of them")
+        return given[0] if given else None
 
     def _runs(self, windows: int) -> int:
         """How many runs that many windows are; `BatchError` if that is no whole number."""

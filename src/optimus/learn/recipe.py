@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -18,7 +19,9 @@ class TrainConfig:
     """How a policy is trained."""
 
     steps: int | None = None
-    """Number of steps; if none, `minutes` decides."""
+    """Number of steps; if none, `epochs` decide."""
+    epochs: float | None = None
+    """Passes over the training episodes: as many labels as they have actions, times this; if none, `minutes` decide."""
     minutes: float = 10.0
     """Time to train for, start-up included."""
     seed: int = 0
@@ -45,6 +48,17 @@ class TrainConfig:
     """Convolutions in bfloat16; if None, where the hardware has it."""
     runtime: Runtime | None = None
     """Threads and precision; if none, the machine's usual ones, or with a budget of minutes the fastest, measured."""
+
+    @property
+    def by_the_clock(self) -> bool:
+        """Whether `minutes` decide how long."""
+        return self.steps is None and self.epochs is None
+
+    def steps_over(self, actions: int, labels: int) -> int | None:
+        """The number of steps on episodes of so many actions, so many labels a step; none by the clock."""
+        if self.steps is None and self.epochs is not None:
+            return max(1, math.ceil(self.epochs * actions / labels))
+        return self.steps
 
 
 RECIPES: dict[str, TrainConfig] = {

@@ -1,4 +1,4 @@
-"""Behaviour cloning: curated datasets to a trained policy, within a number of steps or of minutes.
+"""Behaviour cloning: curated datasets to a trained policy, within a number of steps, epochs or minutes.
 
     RUN/config.json          what is trained, on what, how; versions; the runtime and steps that were settled
     RUN/model.safetensors    the policy: the running average of the weights, normalisation included
@@ -7,7 +7,7 @@
     RUN/metrics.jsonl        one line a report: loss, rate, labels a second, held-out errors
     RUN/tensorboard/         the same for TensorBoard
 
-A run that was killed goes on where its last checkpoint was; with a budget in steps it ends with the very same
+A run that was killed goes on where its last checkpoint was; unless it goes by the clock, it ends with the very same
 weights. Started by `torchrun`, several processes train one policy.
 """
 
@@ -77,8 +77,10 @@ def train(
     sources = Sources(_paths(dataset), _paths(corrections), Path(initial) if initial else None)
     config = config or TrainConfig()
     with joined(config.device) as ranks:
-        if config.steps is None and ranks.count > 1:
-            raise TrainingError("several processes train for a number of steps, not of minutes: their clocks differ; give --steps")
+        if config.by_the_clock and ranks.count > 1:
+            raise TrainingError(
+                "several processes train for steps or epochs, not for minutes: their clocks differ; give --steps or --epochs"
+            )
         require_board(watch)
         trainer = _Trainer(sources, Path(run), config, policy or PolicyConfig(), ranks)
         trainer.board = board(watch if ranks.first else "none", Path(run), trainer.state.step)
@@ -99,7 +101,7 @@ class _Trainer:
         self.board: Board
         self.session_start = self.last_save = self.last_report = time.perf_counter()
         # Often enough that a short budget of minutes is still kept to: the plan is revised where it is saved.
-        budget = math.inf if config.steps is not None else 60 * config.minutes
+        budget = 60 * config.minutes if config.by_the_clock else math.inf
         self.save_interval = min(config.checkpoint_seconds, budget / 20)
         begun = checkpoint.load(sources.initial) if sources.initial else None
         policy_config = begun.config if begun else policy_config
@@ -201,7 +203,7 @@ class _Trainer:
     def _replan(self) -> None:
         """With a budget of minutes, end when they are over even on a machine that has changed its pace."""
         taken = self.state.step - self.first_step
-        if self.config.steps is None and taken > 0:
+        if self.config.by_the_clock and taken > 0:
             pace = (time.perf_counter() - self.session_start) / taken
             self.state.plan = self.state.plan.revised(self.state.step, 60 * self.config.minutes - self._consumed(), pace)
 
@@ -223,12 +225,13 @@ class _Trainer:
             return {"runtime": usual, "plan": there["plan"]}
         usual = config.runtime or usual_runtime(config.loss.runs, ranks.device.type, config.accumulate, ranks)
         runtime = usual if config.half is None else replace(usual, half=config.half)
-        plan = StepPlan(config.steps or 1)
-        if config.steps is None:
+        steps = config.steps_over(len(self.windows.actions), config.loss.labels(self.windows.config))
+        if steps is None:
             measured = config.runtime is None and config.half is None and ranks.device.type == "cpu"
             runtime, seconds = measure(candidate_runtimes(runtime) if measured else [runtime])
             left = 60 * config.minutes - (time.perf_counter() - self.session_start)
-            plan = StepPlan(max(1, round(left / seconds)))
+            steps = max(1, round(left / seconds))
+        plan = StepPlan(steps)
         versions = {**installed_versions(), "torch": torch.__version__}
         settled = {"parameters": policy.parameter_count, "runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})

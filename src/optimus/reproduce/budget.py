@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from optimus.errors import UnknownNameError
 from optimus.learn.presets import preset
@@ -25,7 +26,10 @@ class Budget:
     presets: Mapping[str, str] = field(default_factory=lambda: SMALL)
     """Method -> the network that stands for it."""
     steps: int | None = None
-    """Gradient steps of a policy; if none, `minutes` decides."""
+    """Gradient steps of a policy; if none, `epochs` decide."""
+    epochs: float | None = None
+    """Passes over its demonstrations: long tasks are trained for longer, and no figure depends on the processor's pace; if none,
+    `minutes` decide."""
     minutes: float = 10.0
     batch: int | None = None
     """Runs of windows in a step; the recipe's own if none."""
@@ -44,12 +48,20 @@ class Budget:
     """Most steps of a policy's trial, where that is fewer than the task's own."""
     device: Device = "auto"
 
+    @property
+    def how_long(self) -> tuple[Literal["steps", "epochs", "minutes"], float]:
+        """A policy is trained: in what unit that is counted, and how many."""
+        if self.steps is not None:
+            return "steps", self.steps
+        return ("minutes", self.minutes) if self.epochs is None else ("epochs", self.epochs)
+
     def training(self, network: str, seed: int) -> TrainConfig:
         """How the preset `network` is trained: by its own recipe, whose rate anneals over the steps that there are."""
         base = recipe(preset(network).recipe)
         return replace(
             base,
             steps=self.steps,
+            epochs=self.epochs,
             minutes=self.minutes,
             seed=seed,
             rate=replace(base.rate, over=None),
@@ -75,7 +87,7 @@ _SMOKE = Budget(
 )
 BUDGETS: dict[str, Budget] = {
     "smoke": _SMOKE,
-    "cpu": Budget("cpu", demonstrations=300, minutes=12.0, device="cpu"),
+    "cpu": Budget("cpu", demonstrations=300, epochs=20.0, device="cpu"),
     "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, minutes=16.0, batch=64, device="cuda"),
 }
 """`smoke`: minutes, to prove the path; `cpu`: two cores overnight; `gpu`: one large GPU within half an hour a row."""

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import write_whole
+from optimus.reproduce.budget import Budget
 
 OURS, PAPERS = "#2f6fb0", "#c2453a"
 
@@ -82,8 +83,9 @@ def _about(found: dict[str, Any]) -> str:
     """With how much of what it was made, as far as it matters to what was measured."""
     versions = ", ".join(f"{k} {v}" for k, v in found["versions"].items())
     timed = any("seconds" in m for _, _, m in lines(found))
+    budget = Budget(**found["asked"]["budget"])
     parts = [
-        *(_of_times(found["asked"]["budget"]) if timed else _of_trials(found["asked"]["budget"], found["asked"]["seed"])),
+        *(_of_times(budget) if timed else _of_trials(budget, found["asked"]["seed"])),
         f"{'; '.join(dict.fromkeys(_said_of(cell['machine']) for cell in found['cells']))}. {versions}.",
         f"{found['hours']:.2f} hours, that of other work on the machine included.",
     ]
@@ -94,23 +96,23 @@ def _said_of(machine: dict[str, Any]) -> str:
     return f"{machine['processor']}, {machine['cores']} cores, GPU: {machine['gpu'] or 'none'}"
 
 
-def _of_times(budget: dict[str, Any]) -> list[str]:
+def _of_times(budget: Budget) -> list[str]:
     return [
-        f"Budget `{budget['name']}`: CPU time on one core, {budget['timing_episodes']} problems a task, "
-        f"{10 * budget['timing_rounds']} actions a network (median).",
+        f"Budget `{budget.name}`: CPU time on one core, {budget.timing_episodes} problems a task, "
+        f"{10 * budget.timing_rounds} actions a network (median).",
         "TAMP plans once and follows its plan, told the state; a network has two 84 x 84 images, whose rendering is not counted.",
     ]
 
 
-def _of_trials(budget: dict[str, Any], seed: int) -> list[str]:
-    trained = f"{budget['steps']} steps" if budget["steps"] is not None else f"{budget['minutes']:g} minutes"
+def _of_trials(budget: Budget, seed: int) -> list[str]:
+    unit, long = budget.how_long
     parts = [
-        f"Budget `{budget['name']}`: {budget['demonstrations']} demonstrations a dataset, {trained} of training, "
-        f"{budget['episodes']} trials a policy and condition, {budget['seeds']} training seed(s) from {seed} on.",
+        f"Budget `{budget.name}`: {budget.demonstrations} demonstrations a dataset, {long:g} {unit} of training, "
+        f"{budget.episodes} trials a policy and condition, {budget.seeds} training seed(s) from {seed} on.",
         "Strict success; k of n with the Wilson 95 % interval.",
     ]
-    if budget["horizon"] is not None:
-        parts.append(f"Policies' trials end after {budget['horizon']} steps: this proves the path and says nothing of success.")
+    if budget.horizon is not None:
+        parts.append(f"Policies' trials end after {budget.horizon} steps: this proves the path and says nothing of success.")
     return parts
 
 
