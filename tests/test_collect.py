@@ -15,11 +15,14 @@ import pytest
 from kills import contents, disturb
 from optimus.collect import MOST_BROKEN, CollectConfig, collect
 from optimus.data.atomic import is_leftover
+from optimus.data.episode import DOOR_ANGLES
 from optimus.data.store import EpisodeStore
+from optimus.data.windows import WindowConfig, Windows
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError, UnknownNameError, WorkerError
 from optimus.rollout import Perturbation
+from optimus.tasks import task
 from optimus.tasks.stack import STACK
 
 
@@ -117,6 +120,13 @@ def test_states_are_what_was_seen(tmp_path: Path) -> None:
         np.testing.assert_allclose(np.linalg.norm(episode.states[:, at + 3 : at + 7], axis=1), 1.0, atol=1e-6)
     (door,) = columns["doors"].values()
     assert episode.states[0, door] < 0.1 < episode.states[:, door].max()
+    taught = Windows(store, store.seeds, WindowConfig(images=False)).proprioception[DOOR_ANGLES]
+    env = ManipulationEnv(task("microwave"), images=False, positions=True)
+    seen, _ = env.reset(seed=episode.seed)
+    for action, angle in zip(episode.executed, taught, strict=True):  # learned from what was recorded, told by the simulator
+        np.testing.assert_allclose(seen[DOOR_ANGLES], angle, atol=1e-5)
+        seen, *_ = env.step(action)
+    assert env.observation_space.contains(seen)
 
 
 def test_progress_tells_of_failures_by_reason(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

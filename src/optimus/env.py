@@ -17,6 +17,7 @@ from optimus.control import CONTROL_HZ, controller, require_control
 from optimus.data.episode import (
     BINARY,
     CONTINUOUS,
+    DOOR_ANGLES,
     GRIPPER,
     IMAGE_SIZE,
     IMAGE_SUFFIX,
@@ -93,6 +94,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             count = len(self.world.scene.movable_names)
             spaces[OBJECT_POSITIONS] = gymnasium.spaces.Box(-np.inf, np.inf, (3 * count,), np.float32)
             spaces[OBJECT_TURNS] = gymnasium.spaces.Box(-1.01, 1.01, (6 * count,), np.float32)
+            if doors := len(self.world.door_qpos):
+                spaces[DOOR_ANGLES] = gymnasium.spaces.Box(-4.0, 4.0, (doors,), np.float32)
         if self.images:
             for camera in self.world.image_cameras:
                 shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
@@ -176,6 +179,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         if self.positions:
             seen[OBJECT_POSITIONS] = self.object_positions().astype(np.float32).ravel()
             seen[OBJECT_TURNS] = self._object_turns().ravel()
+            if self.world.door_qpos:
+                seen[DOOR_ANGLES] = self.data.qpos[sorted(self.world.door_qpos.values())].astype(np.float32)
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, IMAGE_SIZE)

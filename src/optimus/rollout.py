@@ -13,10 +13,9 @@ from optimus.control import JOINT_SCALE
 from optimus.data.episode import (
     GRIPPER,
     INSTRUCTION,
-    OBJECT_POSITIONS,
-    OBJECT_TURNS,
     RECEPTACLE,
     STATE_COLUMNS,
+    TOLD,
     VIEWS,
     Episode,
     Observation,
@@ -221,7 +220,7 @@ def failure_of(env: ManipulationEnv, truncated: bool) -> str:
 
 def _episode(env: ManipulationEnv, log: Log, start: NDArray[np.float64], name: str, success: bool, failure: str) -> Episode:
     # what the objects' places and the states say is not written a second time as an observation
-    keys = [k for k in log.observations[0] if k not in (OBJECT_POSITIONS, OBJECT_TURNS)]
+    keys = [k for k in log.observations[0] if k not in TOLD]
     return Episode(
         task=env.task.name,
         seed=env.episode_seed,

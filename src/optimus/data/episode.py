@@ -52,6 +52,12 @@ orders them. Datasets hold them in `objects`."""
 OBJECT_TURNS = "object_turns"
 """... and how they are turned: the first two columns of each one's rotation `(6 k,)`."""
 
+DOOR_ANGLES = "door_angles"
+"""... and how far the doors are open `(d,)` [rad], where the scene has doors."""
+
+TOLD = (OBJECT_POSITIONS, OBJECT_TURNS, DOOR_ANGLES)
+"""What an agent that is told the scene's state has besides the proprioception."""
+
 IMAGE_SUFFIX = "_image"
 DEPTH_SUFFIX = "_depth"
 """`(T, h, w)` float32: distance along the camera's axis [m]."""

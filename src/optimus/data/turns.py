@@ -1,4 +1,4 @@
-"""How the things of an episode are turned, as far as it is recorded."""
+"""How the things of an episode are turned, and how far its doors are open, as far as it is recorded."""
 
 from __future__ import annotations
 
@@ -28,6 +28,12 @@ def rotations_of(header: EpisodeHeader) -> Array | None:
     quats = [states[:, columns[name] + 3 : columns[name] + 7] for name in header.object_names]
     turns = [Rotation.from_quat(quat, scalar_first=True).as_matrix() for quat in quats]
     return np.stack(turns, axis=1) if turns else np.empty((len(states), 0, 3, 3))
+
+
+def doors_of(header: EpisodeHeader) -> Array:
+    """How far the doors are open `(T, d)` [rad], in the order of the physics state; no columns where that is not recorded."""
+    columns = sorted(header.info.get(STATE_COLUMNS, {}).get("doors", {}).values()) if STATES in header.arrays else []
+    return header.read(STATES)[:, columns] if columns else np.empty((header.steps, 0))
 
 
 def as_columns(rotations: NDArray[Any]) -> NDArray[np.float32]:

@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
+from optimus.data.episode import DOOR_ANGLES, GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
 from optimus.data.episode_file import OBSERVATION_PREFIX, STATES, EpisodeHeader, require_finite
 from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
-from optimus.data.turns import as_columns, rotations_of, says_rotations
+from optimus.data.turns import as_columns, doors_of, rotations_of, says_rotations
 from optimus.errors import DatasetError
 
 
@@ -41,8 +41,8 @@ class WindowConfig:
     ahead: int = 0
     """Labels of the steps after a frame that are given with its own."""
     images: bool = True
-    """Cut from the images; if not, how the objects lie is given with the proprioception instead: their positions, and how they are
-    turned where every episode has its states."""
+    """Cut from the images; if not, how the objects lie is given with the proprioception instead: their positions, and where every
+    episode has its states how they are turned and how far doors are open."""
 
     @property
     def frames(self) -> int:
@@ -111,7 +111,8 @@ class Windows:
         _require_same_shapes(headers)
         objects = max(header.arrays["objects"].shape[1] for header in headers)
         turned = not config.images and all(map(says_rotations, headers))
-        self.tracks = tuple(_track(header, self.cameras, config, objects, turned) for header in headers)
+        doors = 0 if config.images else max(doors_of(header).shape[1] for header in headers)
+        self.tracks = tuple(_track(header, self.cameras, config, objects, turned, doors) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them. It may end after it: else the last labels, and the first,
         # would be in fewer runs than all others.
@@ -202,7 +203,9 @@ def _copy(out: NDArray[np.uint8], source: Frames, corner: NDArray[np.integer[Any
     out[:before], out[after:] = out[before], out[after - 1]
 
 
-def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int, turned: bool) -> Track:
+def _track(
+    header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, objects: int, turned: bool, doors: int
+) -> Track:
     images = {}
     for camera in cameras:
         slot = header.arrays[OBSERVATION_PREFIX + camera + IMAGE_SUFFIX]
@@ -221,6 +224,9 @@ def _track(header: EpisodeHeader, cameras: Sequence[str], config: WindowConfig, 
         proprioception[OBJECT_POSITIONS] = np.nan_to_num(places.reshape(len(places), -1))
         if turned:
             proprioception[OBJECT_TURNS] = _turns(header, objects)
+        if doors:
+            angles = doors_of(header)  # a door that a scene does not have is shut
+            proprioception[DOOR_ANGLES] = np.pad(angles, ((0, 0), (0, doors - angles.shape[1]))).astype(np.float32)
     return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places)
 
 
