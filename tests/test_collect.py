@@ -127,6 +127,9 @@ def test_states_are_what_was_seen(tmp_path: Path) -> None:
         np.testing.assert_allclose(seen[DOOR_ANGLES], angle, atol=1e-5)
         seen, *_ = env.step(action)
     assert env.observation_space.contains(seen)
+    pulled = (taught[:, 0] > 0.2) & (np.gradient(taught[:, 0]) > 0.01)
+    off = np.linalg.norm(episode.executed[pulled, :3] - episode.actions[pulled, :3], axis=1)
+    assert pulled.sum() > 20 and (off > 0.01).mean() > 0.5  # a policy is shown ways back to the handle's arc as well
 
 
 def test_progress_tells_of_failures_by_reason(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -102,10 +102,9 @@ class ClosedLoop:
         """What it follows now."""
         return self._follower.plan
 
-    @property
-    def slack(self) -> float:
+    def slack(self, steady: float) -> float:
         """See `PlanFollower.slack`."""
-        return self._follower.slack
+        return self._follower.slack(steady)
 
     def act(self, observation: Observation) -> NDArray[np.float32] | None:
         """The action for this observation; None when there is nothing more to do."""

@@ -25,7 +25,7 @@ INVALID = "invalid plan"
 """How the failure of an attempt begins whose plan did not stand up to the check."""
 
 
-_BEFORE: dict[str, float] = {"hesitations": 0.0, "tremble_tilt": 0.0, "shove_tilt": 0.0, "overshoots": 0.0}
+_BEFORE: dict[str, float] = {"hesitations": 0.0, "tremble_tilt": 0.0, "shove_tilt": 0.0, "overshoots": 0.0, "steady": 0.0}
 """What an earlier version's perturbation had none of."""
 
 
@@ -142,8 +142,10 @@ def demonstrate(
     if meddler is not None:
         pushes = meddler(pushing)
 
+    steady = 0.0 if config.perturbation is None else config.perturbation.steady
+
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
-        return None if pushes is None else pushes.next(seen, label, expert.slack)
+        return None if pushes is None else pushes.next(seen, label, expert.slack(steady))
 
     episode = rollout(env, observation, expert, "expert", push, mishap)
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}

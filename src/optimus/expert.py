@@ -135,14 +135,14 @@ class PlanFollower:
         """How far it is along the present segment [m]."""
         return self._s
 
-    @property
-    def slack(self) -> float:
-        """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, else all."""
+    def slack(self, steady: float) -> float:
+        """How much a push may matter now, 0 to 1: nothing while the gripper works, little right before it does, `steady` while it
+        has hold of what is not free to come along, else all."""
         segment = self.segment
-        if segment is None or segment.gripper_action or segment.steady:
+        if segment is None or segment.gripper_action:
             return 0.0
-        left = self._path.length - self._s
-        return min(1.0, left / 0.10) if self._stops_at_end() else 1.0
+        left, most = self._path.length - self._s, steady if segment.steady else 1.0
+        return most * (min(1.0, left / 0.10) if self._stops_at_end() else 1.0)
 
     def _next_segment(self) -> None:
         self._index += 1

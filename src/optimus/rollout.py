@@ -85,6 +85,9 @@ class Perturbation:
     """Farthest that it goes on [m] ..."""
     overshoot_steps: int = 4
     """... and in how many steps."""
+    steady: float = 0.3
+    """Share of a push that is left while the hand has hold of what is not free to come along. Without any, every door is drawn
+    open along one and the same arc: a policy a few millimetres off it knows no way back, and loses the handle."""
 
 
 class Pushes:

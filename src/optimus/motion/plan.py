@@ -28,7 +28,7 @@ class Segment:
     speed: float = np.inf
     """The follower goes no faster than this here [m/s]; turns count as in `lines.distance`."""
     steady: bool = False
-    """Nothing may push the hand here: it has hold of something that is not free to come along."""
+    """Pushes are to be gentle here: the hand has hold of something that is not free to come along."""
     doors: dict[str, Array] = field(default_factory=dict)
     """How far each door that is moved by it is open at each waypoint, `(T,)` [rad]."""
 
