@@ -102,7 +102,7 @@ def test_the_film_is_the_episode(store: EpisodeStore, tmp_path: Path) -> None:
         write_episode_film(blind, tmp_path / "blind.mp4")
 
 
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 @given(st.lists(st.tuples(st.floats(-1, 1), st.floats(-1, 1)), min_size=1, max_size=20))
 def test_places_are_drawn_as_the_robot_sees_them(places: list[tuple[float, float]]) -> None:
     """Within the frame, +x up and +y left."""

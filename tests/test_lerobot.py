@@ -97,7 +97,7 @@ def _check(found: dict[str, list], values: np.ndarray) -> None:
         assert np.allclose(flat[name], np.quantile(values, share, axis=0), atol=1e-6), name
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.lists(arrays.arrays(np.uint8, (2, 3, 5, 3)), min_size=1, max_size=4))
 def test_image_statistics_of_any_pixels(parts: list[np.ndarray]) -> None:
     """From histograms that add up, against numpy's of all pixels at once."""

@@ -56,7 +56,7 @@ def shortest(facts: Facts, goal: Facts, operators: tuple[Operator, ...]) -> int:
     raise AssertionError("no plan")
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(st.permutations("abcd"), st.permutations("abcd"), st.integers(1, 4))
 def test_first_skeleton_is_shortest(start: list[str], end: list[str], cut: int) -> None:
     operators = blocks_world("abcd")
@@ -70,7 +70,7 @@ def test_first_skeleton_is_shortest(start: list[str], end: list[str], cut: int) 
     assert goal <= facts
 
 
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(st.randoms(use_true_random=False), st.sampled_from([(1.0,), (1.0, 2.0, 3.0), (0.3, 0.7, 1.9)]))
 def test_the_first_skeleton_is_the_cheapest_whatever_operators_do_and_cost(random: Random, costs: tuple[float, ...]) -> None:
     atoms = [atom("p", str(i)) for i in range(7)]

@@ -87,7 +87,7 @@ def test_a_mixture_integrates_to_one() -> None:
     assert math.isclose(float(torch.trapezoid(mixture.log_density(x[:, None]).exp(), x)), 1, abs_tol=1e-4)
 
 
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=5)
 @given(seed=st.integers(0, 1000))
 def test_the_loss_has_the_gradient_of_finite_differences(seed: int) -> None:
     generator = torch.Generator().manual_seed(seed)

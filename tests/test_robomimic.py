@@ -55,7 +55,7 @@ def test_the_file_is_as_the_format_says(tmp_path: Path) -> None:
             assert demo["obs/front_image"].dtype == np.uint8 and demo["obs/front_image"].shape[1:] == (84, 84, 3)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([0.5, 1.0, 2.0]), st.booleans())
 def test_the_paper_s_filter_finds_the_same_in_the_exported_file(seed: int, sd: float, boxed: bool) -> None:
     """The rule of the paper's released filter, on the file alone: lengths beyond the file's mean + k standard deviations, and any
@@ -100,7 +100,7 @@ def test_what_was_exported_comes_back(tmp_path: Path) -> None:
         assert all(np.array_equal(a, other.observations[n]) for n, a in one.observations.items())
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data(), st.integers(1, 6), st.integers(2, 9))
 def test_any_numbers_survive_the_way_there_and_back(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, steps: int, size: int

@@ -30,7 +30,7 @@ def store(tmp_path: Path) -> EpisodeStore:
     return EpisodeStore.create(tmp_path / "data", "square", CAMERAS, SETTINGS)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     seed=st.integers(0, 10**9),
     steps=st.integers(1, 6),

@@ -25,7 +25,7 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> EpisodeStore:
     return store
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(context=st.integers(1, 9), windows=st.integers(1, 6), data=st.data())
 def test_a_run_is_consecutive_frames_of_one_episode(store: EpisodeStore, context: int, windows: int, data: st.DataObject) -> None:
     cut = Windows(store, list(LENGTHS), WindowConfig(context=context, windows=windows, ahead=3))
