@@ -30,10 +30,14 @@ def rotations_of(header: EpisodeHeader) -> Array | None:
     return np.stack(turns, axis=1) if turns else np.empty((len(states), 0, 3, 3))
 
 
+def door_columns(header: EpisodeHeader) -> list[int]:
+    """Where in the recorded states the doors' angles are."""
+    return sorted(header.info.get(STATE_COLUMNS, {}).get("doors", {}).values())
+
+
 def doors_of(header: EpisodeHeader) -> Array:
-    """How far the doors are open `(T, d)` [rad], in the order of the physics state; no columns where that is not recorded."""
-    columns = sorted(header.info.get(STATE_COLUMNS, {}).get("doors", {}).values()) if STATES in header.arrays else []
-    return header.read(STATES)[:, columns] if columns else np.empty((header.steps, 0))
+    """How far the doors are open `(T, d)` [rad], in the order of the physics state, of an episode with recorded states."""
+    return header.read(STATES)[:, door_columns(header)]
 
 
 def as_columns(rotations: NDArray[Any]) -> NDArray[np.float32]:

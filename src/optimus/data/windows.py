@@ -20,7 +20,7 @@ from optimus.data.episode import DOOR_ANGLES, GRIPPER, IMAGE_SUFFIX, OBJECT_POSI
 from optimus.data.episode_file import OBSERVATION_PREFIX, STATES, EpisodeHeader, require_finite
 from optimus.data.frames import Frames
 from optimus.data.store import EpisodeStore
-from optimus.data.turns import as_columns, doors_of, rotations_of, says_rotations
+from optimus.data.turns import as_columns, door_columns, doors_of, rotations_of, says_rotations
 from optimus.errors import DatasetError
 
 
@@ -111,7 +111,7 @@ class Windows:
         _require_same_shapes(headers)
         objects = max(header.arrays["objects"].shape[1] for header in headers)
         turned = not config.images and all(map(says_rotations, headers))
-        doors = 0 if config.images else max(doors_of(header).shape[1] for header in headers)
+        doors = max(len(door_columns(header)) for header in headers) if turned else 0
         self.tracks = tuple(_track(header, self.cameras, config, objects, turned, doors) for header in headers)
         # A run may begin before its episode: the first labels are learned with a context of repeated first
         # frames, which is what the agent gives them. It may end after it: else the last labels, and the first,

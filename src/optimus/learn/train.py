@@ -225,7 +225,7 @@ class _Trainer:
             return {"runtime": usual, "plan": there["plan"]}
         usual = config.runtime or usual_runtime(config.loss.runs, ranks.device.type, config.accumulate, ranks)
         runtime = usual if config.half is None else replace(usual, half=config.half)
-        steps = config.steps_over(len(self.windows.actions), config.loss.labels(self.windows.config))
+        steps = config.steps_over(self.windows.labels, config.loss.labels(self.windows.config))
         if steps is None:
             measured = config.runtime is None and config.half is None and ranks.device.type == "cpu"
             runtime, seconds = measure(candidate_runtimes(runtime) if measured else [runtime])

@@ -164,7 +164,7 @@ class Lesson:
 
     def train_command(self, site: Site, seed: int) -> str:
         b, network = site.budget, site.budget.presets[self.method]
-        long = "--{} {:g}".format(*b.how_long)
+        long = "--{} {:.9g}".format(*b.how_long)
         said = (f" --head {self.head}" if self.head else "") + (f" --observe {self.observe}" if self.observe != "images" else "")
         said += f" --batch {b.batch}" if b.batch is not None else ""
         data = " ".join(f"data/{d.name}" for d in self.datasets)

@@ -107,7 +107,7 @@ def _of_times(budget: Budget) -> list[str]:
 def _of_trials(budget: Budget, seed: int) -> list[str]:
     unit, long = budget.how_long
     parts = [
-        f"Budget `{budget.name}`: {budget.demonstrations} demonstrations a dataset, {long:g} {unit} of training, "
+        f"Budget `{budget.name}`: {budget.demonstrations} demonstrations a dataset, {long:.9g} {unit} of training, "
         f"{budget.episodes} trials a policy and condition, {budget.seeds} training seed(s) from {seed} on.",
         "Strict success; k of n with the Wilson 95 % interval.",
     ]
