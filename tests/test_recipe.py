@@ -62,7 +62,7 @@ def test_the_papers_recipe_is_its_table() -> None:
     assert rates == pytest.approx([1e-4, 5.5e-5, 1e-5, 1e-5], rel=1e-9)
     assert (paper.steps, paper.loss.runs, paper.optimiser.weight_decay, paper.optimiser.clip) == (1_000_000, 16, 0.01, 1.0)
     assert paper.loss.labels(WindowConfig()) == 16
-    with pytest.raises(UnknownNameError, match="valid: paper, quick"):
+    with pytest.raises(UnknownNameError, match="valid: gpu, paper, quick"):
         recipe("slow")
 
 

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -167,6 +168,38 @@ def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(
     assert filled(found) == ["Stack", "Stack again"] and found["missing"] == ["StackThree TAMP-task"]
     with pytest.raises(UnknownNameError, match=r"row 'Stak'.*StackThree"):
         reproduce(Site("table-b2", tmp_path, tiny), ["Stak"])
+
+
+def test_where_a_gpu_trains_cells_are_prepared_ahead_and_the_table_is_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    works = [PolicyWork(Lesson((Data(t),)), (Trial("", "validation"),)) for t in ("stack", "pick-place")]
+    cells = tuple(Cell(row, "OPTIMUS", work) for row, work in zip(("Stack", "Put"), works, strict=True))
+    monkeypatch.setitem(TABLES, "table-b2", Table("table-b2", "Two policies", cells))
+    tiny = replace(budget("smoke"), demonstrations=2)
+    plain = reproduce(Site("table-b2", tmp_path / "plain", tiny, workers=2))
+    monkeypatch.setattr(engine_module, "device_kind", lambda device: "cuda")
+    # the first trial of the first policy waits for the training of the second one
+    trained, seen = threading.Event(), []
+
+    def progress(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
+        seen.append(stage)
+        if stage.startswith("train pick-place") and done == total:
+            trained.set()
+        if stage.startswith("evaluate stack"):
+            assert trained.wait(120)
+
+    ahead = reproduce(Site("table-b2", tmp_path / "ahead", tiny, workers=2, progress=progress))
+    outcomes = lambda found: [c["measured"] for c in found["cells"]]  # noqa: E731
+    assert outcomes(ahead) == outcomes(plain) and "train pick-place-optimus" in seen
+    assert ahead["hours"] >= sum(c["hours"] for c in ahead["cells"]) * 0.999 > 0
+
+    def stop(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
+        if stage.startswith("collect pick-place"):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        reproduce(Site("table-b2", tmp_path / "stopped", tiny, workers=2, progress=stop))
 
 
 def test_an_unknown_table_is_named(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def bench_gradient_step(name: str, rounds: int, seed: int, progress: Progress) -
     torch.set_num_threads(1)
     config = preset(name).policy
     rng = np.random.default_rng(seed)
-    policy = fresh_policy(config, _inputs(), seed)
+    policy = fresh_policy(config, made_up_inputs(), seed)
     half = usual_runtime(LABELS).half
     apart, runs = _batch(rng, config, LABELS, 1), _batch(rng, config, LABELS // CHUNK, CHUNK)
     ways: dict[str, Callable[[], list[Tensor]]] = {
@@ -83,9 +83,9 @@ def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progr
     and the same compiled where there is a compiler; and by how much the answers differ."""
     torch.set_num_threads(1)
     config = preset(name).policy
-    policy = fresh_policy(config, _inputs(), seed).eval()
+    policy = fresh_policy(config, made_up_inputs(), seed).eval()
     rng = np.random.default_rng(seed)
-    frames = [_observation(rng) for _ in range(config.context + rounds)]
+    frames = [made_up_frame(rng) for _ in range(config.context + rounds)]
     agents = {"newest_frame": PolicyAgent(policy, "likeliest")}
     if compiled and compiler():
         agents["compiled"] = PolicyAgent(policy, "likeliest", compiled=True)
@@ -108,7 +108,8 @@ def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progr
     return result
 
 
-def _inputs() -> PolicyInputs:
+def made_up_inputs() -> PolicyInputs:
+    """Two cameras and the usual proprioception."""
     return PolicyInputs("stack", CAMERAS, dict(PROPRIOCEPTION), objects=2)
 
 
@@ -127,7 +128,8 @@ def _batch(rng: np.random.Generator, config: PolicyConfig, runs: int, windows: i
     )
 
 
-def _observation(rng: np.random.Generator) -> Observation:
+def made_up_frame(rng: np.random.Generator) -> Observation:
+    """An observation of noise."""
     images = {c + IMAGE_SUFFIX: rng.integers(0, 256, (IMAGE_SIZE, IMAGE_SIZE, 3), np.uint8) for c in CAMERAS}
     return {**images, **{name: rng.normal(size=size).astype(np.float32) for name, size in PROPRIOCEPTION.items()}}
 

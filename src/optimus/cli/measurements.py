@@ -33,6 +33,8 @@ def bench(
     preset: PresetName | None = None,
     rounds: int = 5,
     compile: bool = True,
+    device: Literal["cpu", "cuda"] = "cpu",
+    batch: int = 16,
     episodes: int = 20,
     seed: FirstSeed = 0,
     workers: Workers = 1,
@@ -57,11 +59,14 @@ def bench(
         optimus bench read stack --episodes 500
         optimus bench step --preset optimus-30m --json
         optimus bench action --preset optimus-30m
+        optimus bench step --preset optimus-30m --device cuda --batch 512 --json
 
     Args:
         preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
         rounds: with --preset: how often a step is timed (an action: ten times as often)
         compile: with action --preset: time it compiled as well, which takes a minute to begin with
+        device: with --preset: what computes; on a GPU, elapsed time, with the data resident there
+        batch: with step --preset --device cuda: windows in a step
         episodes: how many to run (for render, action and read: frames, actions, batches)
         check: with expert: validate every plan independently, and count the invalid ones as failures
         where: with expert: afterwards, plan for the first few seeds again and find out where the time goes
@@ -78,7 +83,7 @@ def bench(
     if preset is not None:
         if task is not None:
             raise OptimusError(f"--preset {preset} is measured on made-up data; leave out {task}")
-        say(result := _of_preset(what, preset, rounds, seed, compile), json, table(result))
+        say(result := _of_preset(what, preset, rounds, seed, compile, device, batch), json, table(result))
         return
     if task is None:
         raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
@@ -89,15 +94,21 @@ def bench(
     say(result, json, table(result))
 
 
-def _of_preset(what: str, preset: str, rounds: int, seed: int, compile: bool) -> dict[str, Any]:
+def _of_preset(what: str, preset: str, rounds: int, seed: int, compile: bool, device: str, batch: int) -> dict[str, Any]:
+    from optimus.bench.gpu import bench_gpu_action, bench_gpu_step
     from optimus.bench.policy import bench_gradient_step, bench_policy_action
 
     if what not in ("step", "action"):
         raise OptimusError(f"--preset is measured by `bench step` and `bench action`, not by `bench {what}`")
     if rounds < 1:
         raise OptimusError(f"--rounds {rounds} is not positive")
+    if batch < 1:
+        raise OptimusError(f"--batch {batch} is not positive")
     rounds = rounds if what == "step" else 10 * rounds
     with bar(rounds, f"bench {what} {preset}", "round") as shown:
+        if device == "cuda":
+            on_gpu = bench_gpu_action if what == "action" else bench_gpu_step
+            return on_gpu(preset, rounds if what == "action" else batch, seed, counter(shown))
         if what == "step":
             return bench_gradient_step(preset, rounds, seed, counter(shown))
         return bench_policy_action(preset, rounds, seed, compile, counter(shown))

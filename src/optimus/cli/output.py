@@ -5,6 +5,7 @@ from __future__ import annotations
 import json as jsonlib
 import os
 import sys
+import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -103,24 +104,34 @@ def counted(bar: Any) -> Callable[[int, int], None]:
 
 
 class StageBars:
-    """One bar a stage of the main job, the last one's left standing."""
+    """One bar a stage of the main job, the last one's left standing; with `several`, stages may go on at once, in threads."""
 
-    def __init__(self) -> None:
-        self._stage, self._bar = "", None
+    def __init__(self, several: bool = False) -> None:
+        self._several, self._lock = several, threading.Lock()
+        self._bars: dict[str, Any] = {}
 
     def __call__(self, stage: str, done: int, total: int, note: dict[str, str]) -> None:
         """`note` stands behind the bar: what else there is to know of the stage."""
-        if stage != self._stage or self._bar is None:
-            self.close()
-            self._stage, self._bar = stage, _new_bar(total, stage, "it")
-        self._bar.total, self._bar.n = total, done
-        if note:
-            self._bar.set_postfix(note, refresh=False)
-        self._bar.update(0)
-        if done == total:
-            self._bar.refresh()
+        with self._lock:
+            if stage not in self._bars:
+                if not self._several:
+                    self._close()
+                self._bars[stage] = _new_bar(total, stage, "it")
+            bar = self._bars[stage]
+            bar.total, bar.n = total, done
+            if note:
+                bar.set_postfix(note, refresh=False)
+            bar.update(0)
+            if done == total:
+                bar.refresh()
+                if self._several:
+                    self._bars.pop(stage).close()
 
     def close(self) -> None:
-        """Finish the bar that is open."""
-        if self._bar is not None:
-            self._bar.close()
+        """Finish the bars that are open."""
+        with self._lock:
+            self._close()
+
+    def _close(self) -> None:
+        while self._bars:
+            self._bars.popitem()[1].close()

@@ -14,7 +14,7 @@ from optimus.cli.output import StageBars, say
 TableName = Annotated[
     str,
     Positional,
-    arg(metavar="NAME", help="table-b1, table-b2, table-b3, figure-a1, long-horizon or multitask"),
+    arg(metavar="NAME", help="table-b1, table-b2, table-b3, figure-a1, long-horizon, multitask or four-tasks"),
 ]
 
 
@@ -51,7 +51,7 @@ def reproduce(
 
     chosen = budget_named(budget)
     chosen = replace(chosen, seeds=chosen.seeds if seeds is None else seeds, device=device or chosen.device)
-    bars = StageBars()
+    bars = StageBars(several=True)
     found = run_all(Site(name, out, chosen, seed, workers, bars), rows)
     bars.close()
     say(found, json, (out / "table.md").read_text())

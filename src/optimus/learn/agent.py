@@ -20,6 +20,7 @@ from optimus.learn import checkpoint
 from optimus.learn.encoder.prepack import prepacked
 from optimus.learn.heads import Component
 from optimus.learn.policy import Policy
+from optimus.learn.recording import Recording
 
 
 class PolicyAgent:
@@ -31,6 +32,7 @@ class PolicyAgent:
     `sampled` and leaves the gripper as it comes, for policies that were taught where the fingers are to be.
 
     `compiled` has PyTorch compile the network first, which takes a minute: for long use. `CheckpointError` if there is no compiler.
+    On a `device` of type `cuda` the network is recorded instead (`recording.py`), and the policy is moved there.
     """
 
     def __init__(
@@ -39,18 +41,22 @@ class PolicyAgent:
         component: Component = "sampled",
         task: str | None = None,
         compiled: bool = False,
+        device: str = "cpu",
     ) -> None:
-        self.policy = policy if isinstance(policy, Policy) else checkpoint.load(policy, task)
+        self._device = torch.device(device)
+        self.policy = (policy if isinstance(policy, Policy) else checkpoint.load(policy, task)).to(self._device)
         self.policy.eval()
         self.component: Component = component
         self._look, self._think = self.policy.token, self.policy.features
-        if compiled:
+        if self._device.type == "cuda":
+            self._look, self._think = _recorded(self.policy, self._device)
+        elif compiled:
             self._look, self._think = _compiled(self.policy)
         elif self.policy.config.encoder.prepacked:
             self._look = _with_prepacked_encoders(self.policy).token
         self._tokens: deque[Tensor] = deque(maxlen=self.policy.config.context)
         self._planned: deque[NDArray[np.float32]] = deque()
-        self._noise = torch.Generator()
+        self._noise = torch.Generator(self._device)
         self.reset()
 
     def reset(self, seed: int = 0) -> None:
@@ -73,7 +79,7 @@ class PolicyAgent:
         """Answer: with the next action, or the next few where the head answers in chunks."""
         features = self._think(torch.stack(list(self._tokens), 1))[:, -1]
         answer = self.policy.answers(features).answer(self.component, self._noise)
-        actions = self.policy.denormalise(answer).numpy().astype(np.float32).clip(-1, 1)
+        actions = self.policy.denormalise(answer).cpu().numpy().astype(np.float32).clip(-1, 1)
         self._planned.extend(actions.reshape(-1, actions.shape[-1])[: self.policy.config.head.executed])
 
     def _tensors(self, observation: Observation) -> tuple[dict[str, Tensor], dict[str, Tensor]]:
@@ -92,9 +98,9 @@ class PolicyAgent:
                     f"the policy needs {name} of shape ({size},), the observation has {observation[name].shape}; "
                     "use the environment it was trained in"
                 )
-        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], crop) for camera in inputs.cameras}
+        images = {camera: _centre(observation[camera + IMAGE_SUFFIX], crop).to(self._device) for camera in inputs.cameras}
         low = {name: torch.as_tensor(observation[name], dtype=torch.float32)[None] for name in inputs.proprioception}
-        return images, low
+        return images, {name: value.to(self._device) for name, value in low.items()}
 
 
 def trained_agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
@@ -115,13 +121,29 @@ def _compiled(policy: Policy) -> tuple[Callable[..., Tensor], Callable[..., Tens
         raise CheckpointError("to compile a policy needs a C++ compiler: c++ on the path, or the one that CXX names; do without")
     from torch._inductor import config as inductor  # seconds to import, and only this needs it
 
-    config, seen = policy.config, policy.inputs
-    images = {camera: torch.zeros(1, config.crop, config.crop, 3, dtype=torch.uint8) for camera in seen.cameras}
-    low = {name: torch.ones(1, size) for name, size in seen.proprioception.items()}
     look, think = torch.compile(policy.token, dynamic=False), torch.compile(policy.features, dynamic=False)
     with inductor.patch(freezing=True):
-        think(look(images, low)[:, None].repeat(1, config.context, 1))
+        think(look(*_made_up(policy, torch.device("cpu")))[:, None].repeat(1, policy.config.context, 1))
     return look, think
+
+
+def _made_up(policy: Policy, device: torch.device) -> tuple[dict[str, Tensor], dict[str, Tensor]]:
+    """Images and proprioception of one frame, of the right shapes."""
+    side, seen = policy.config.crop, policy.inputs
+    images = {camera: torch.zeros(1, side, side, 3, dtype=torch.uint8, device=device) for camera in seen.cameras}
+    return images, {name: torch.ones(1, size, device=device) for name, size in seen.proprioception.items()}
+
+
+@torch.no_grad()
+def _recorded(policy: Policy, device: torch.device) -> tuple[Callable[..., Tensor], Callable[..., Tensor]]:
+    """`policy.token` of one frame and `policy.features` of one window, recorded on a GPU."""
+    images, low = _made_up(policy, device)
+    frame = {**images, **low}  # cameras and proprioception have different names
+    look = Recording(lambda x: policy.token({c: x[c] for c in images}, {n: x[n] for n in low}), frame)
+    window = look(frame)[:, None].repeat(1, policy.config.context, 1)
+    think = Recording(lambda x: policy.features(x["window"]), {"window": window})
+    # copies: the next call overwrites what a recording returned
+    return lambda images, low: look({**images, **low}).clone(), lambda window: think({"window": window}).clone()
 
 
 def _with_prepacked_encoders(policy: Policy) -> Policy:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -65,18 +66,29 @@ class ResidentWindows:
 
     def sample(self, rng: np.random.Generator, runs: int) -> TensorBatch:
         """See `Windows.sample`."""
+        return self.cut({name: tensor.to(self._device) for name, tensor in self.drawn(rng, runs).items()})
+
+    def drawn(self, rng: np.random.Generator, runs: int) -> dict[str, Tensor]:
+        """What decides about a sample, a few numbers a frame, by name: all that has to be sent to the device for it."""
         windows = self._windows
         places = windows.places(rng.integers(len(windows), size=runs))
         offsets = windows.offsets(runs, rng)
-        frames, later, inside = map(self._there, (places.steps, places.following, places.inside))
+        found = {"frames": places.steps, "following": places.following, "inside": places.inside}
+        found |= {f"corners {camera}": corners for camera, corners in offsets.items()}
+        found |= {f"shifts {camera}": shifts for camera, shifts in windows.shifts(offsets).items()}
+        return {name: torch.from_numpy(array) for name, array in found.items()}
+
+    def cut(self, drawn: Mapping[str, Tensor]) -> TensorBatch:
+        """The sample that `drawn`, on the device, decides: gathers alone, so that it can be recorded (`recording.py`)."""
+        frames = drawn["frames"]
         return TensorBatch(
-            images={c: self._crops(c, frames, self._there(corners)) for c, corners in offsets.items()},
-            shifts={c: self._there(shift) for c, shift in windows.shifts(offsets).items()},
+            images={c: self._crops(c, frames, drawn[f"corners {c}"]) for c in self._images},
+            shifts={c: drawn[f"shifts {c}"] for c in self._images},
             proprioception={name: values[frames] for name, values in self._low.items()},
             actions=self._actions[frames],
-            weight=self._weight[frames] * inside,
+            weight=self._weight[frames] * drawn["inside"],
             objects=self._objects[frames],
-            ahead=self._actions[later],
+            ahead=self._actions[drawn["following"]],
         )
 
     def _there(self, array: np.ndarray) -> Tensor:

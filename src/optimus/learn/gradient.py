@@ -6,8 +6,9 @@ a step come from generators seeded with the seed, the step and the shard.
 
 from __future__ import annotations
 
+import importlib.util
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -18,9 +19,10 @@ from torch import Tensor
 
 from optimus.data.windows import Batch, WindowConfig
 from optimus.errors import OptimusError
-from optimus.learn.batches import BatchSource, TensorBatch, on_device
+from optimus.learn.batches import BatchSource, ResidentWindows, TensorBatch, on_device
 from optimus.learn.policy import Policy
 from optimus.learn.ranks import Ranks
+from optimus.learn.recording import Recording
 from optimus.workers import available_cores
 
 
@@ -42,6 +44,10 @@ class Runtime:
     """Processes that a batch is split over."""
     device: str = "cpu"
     """What computes: `cpu` or `cuda`."""
+    recorded: bool = False
+    """On a GPU that holds the data set: whether a part is recorded once and replayed (`recording.py`)."""
+    compiled: bool = False
+    """Whether PyTorch compiles the convolutional networks: on a GPU, norms and what is around them in one pass over memory."""
 
     @property
     def parts(self) -> int:
@@ -68,13 +74,8 @@ class LossConfig:
         return self.runs * cut.windows * (cut.context if self.supervise == "all" else 1)
 
 
-@dataclass(frozen=True)
-class StepLoss:
-    """Parts of the loss of one step, means over its labels."""
-
-    likelihood: float
-    """Negative log-likelihood."""
-    location: float
+_PartGradient = tuple[Tensor, tuple[Tensor, ...]]
+"""The losses of a part of a batch, and its gradient."""
 
 
 class GradientWorkers:
@@ -102,16 +103,30 @@ class GradientWorkers:
         self.ranks = ranks or Ranks()
         self.parameters = [p for p in policy.parameters() if p.requires_grad]
         self._threads = ThreadPoolExecutor(runtime.shards, "gradient", initializer=_one_thread_each)
+        self._recordings: dict[int, Recording[_PartGradient]] = {}
+        self._device = self.parameters[0].device
+        self._noise = torch.Generator(self._device)
+        if runtime.device == "cuda":
+            torch.set_float32_matmul_precision("high")  # what is not in bfloat16 goes through the matrix units, too
+        if runtime.compiled:
+            for encoder in policy.encoders.children():
+                encoder.get_submodule("trunk").compile(dynamic=False)
 
     def close(self) -> None:
         """End the threads."""
         self._threads.shutdown()
 
-    def gradient(self, step: int) -> tuple[StepLoss, list[Tensor]]:
-        """Loss and gradient at the current weights, on the batch of this step: the same in every process."""
+    def gradient(self, step: int) -> tuple[Tensor, list[Tensor]]:
+        """Losses and gradient at the current weights, on the batch of this step: the same in every process.
+
+        The losses are means over the labels, `(2,)`: the head's (of a mixture: negative log-likelihood), and that of the objects'
+        positions. All may be overwritten by the next call; on a GPU nothing has been waited for.
+        """
         share = self.runtime.accumulate
         first = self.ranks.rank * share
         losses, total = self._portion(step, first)
+        if share > 1 and self._recordings:
+            losses, total = losses.clone(), [piece.clone() for piece in total]
         for portion in range(first + 1, first + share):
             more, pieces = self._portion(step, portion)
             losses = losses + more
@@ -122,25 +137,42 @@ class GradientWorkers:
             for mine in total:
                 mine.div_(share)
         self.ranks.average([losses, *total])
-        likelihood, location = losses.tolist()
-        return StepLoss(likelihood, location), total
+        return losses, total
 
     def _portion(self, step: int, portion: int) -> tuple[Tensor, list[Tensor]]:
         """Mean losses `(2,)` and gradient over the parts that the threads compute at once."""
         shards = self.runtime.shards
-        parts = list(self._threads.map(lambda shard: self._part(step, portion * shards + shard), range(shards)))
+        work = lambda shard: self._part(step, portion * shards + shard)  # noqa: E731
+        parts = [work(0)] if self.runtime.device == "cuda" else list(self._threads.map(work, range(shards)))
         total = [torch.stack(pieces).mean(0) if shards > 1 else pieces[0] for pieces in zip(*(g for _, g in parts), strict=True)]
         return torch.stack([losses for losses, _ in parts]).mean(0), total
 
-    def _part(self, step: int, part: int) -> tuple[Tensor, tuple[Tensor, ...]]:
-        device = self.parameters[0].device
+    def _part(self, step: int, part: int) -> _PartGradient:
         runs = len(range(part, self.config.runs, self.runtime.parts))
-        batch = self.windows.sample(np.random.default_rng([self.seed, step, part]), runs)
-        noise = torch.Generator(device).manual_seed(int(np.random.SeedSequence([self.seed, step, part]).generate_state(1)[0]))
+        rng = np.random.default_rng([self.seed, step, part])
+        seed = int(np.random.SeedSequence([self.seed, step, part]).generate_state(1)[0])
+        if self.runtime.recorded and isinstance(self.windows, ResidentWindows):
+            drawn = self.windows.drawn(rng, runs)
+            recording = self._recording(self.windows, runs, drawn)
+            self._noise.manual_seed(seed)
+            return recording(drawn)
+        noise = torch.Generator(self._device).manual_seed(seed)
+        return self._gradient_on(self.windows.sample(rng, runs), noise)
+
+    def _recording(self, source: ResidentWindows, runs: int, drawn: Mapping[str, Tensor]) -> Recording[_PartGradient]:
+        """The gradient on so many runs, recorded at the first one."""
+        if runs not in self._recordings:
+            example = {name: tensor.to(self._device) for name, tensor in drawn.items()}
+            work = lambda inputs: self._gradient_on(source.cut(inputs), self._noise)  # noqa: E731
+            self._recordings[runs] = Recording(work, example, self._noise)
+        return self._recordings[runs]
+
+    def _gradient_on(self, batch: Batch | TensorBatch, noise: torch.Generator) -> _PartGradient:
         likelihood, location = batch_loss(self.policy, batch, self.config, noise, self.runtime.half)
         loss = likelihood + self.config.location_weight * location
         gradient = torch.autograd.grad(loss, self.parameters, materialize_grads=True)
-        return torch.stack([likelihood.detach(), location.detach()]).double(), gradient
+        laid_out = tuple(_laid_out_like(g, p) for g, p in zip(gradient, self.parameters, strict=True))
+        return torch.stack([likelihood.detach(), location.detach()]).double(), laid_out
 
 
 def batch_loss(
@@ -182,7 +214,8 @@ def usual_runtime(runs: int, device: str = "cpu", accumulate: int = 1, ranks: Ra
     of the same command end with the same weights."""
     ranks = ranks or Ranks()
     if device == "cuda":
-        return Runtime(1, torch.cuda.is_bf16_supported(), accumulate, ranks.count, device)
+        compiler = importlib.util.find_spec("triton") is not None
+        return Runtime(1, torch.cuda.is_bf16_supported(), accumulate, ranks.count, device, recorded=True, compiled=compiler)
     cores = available_cores() // ranks.on_this_machine
     able = torch.cpu.get_capabilities()
     half = bool(able.get("avx512_bf16") or able.get("amx_bf16"))
@@ -204,8 +237,13 @@ def fastest_runtime(
 
 def _seconds(workers: GradientWorkers, step: int) -> float:
     start = time.perf_counter()
-    workers.gradient(step)
+    workers.gradient(step)[0].tolist()  # which waits for a GPU
     return time.perf_counter() - start
+
+
+def _laid_out_like(gradient: Tensor, weight: Tensor) -> Tensor:
+    """The gradient in the memory layout of its weight: where the two differ, the optimiser goes tensor by tensor."""
+    return gradient if gradient.stride() == weight.stride() else torch.empty_like(weight).copy_(gradient)
 
 
 def _one_thread_each() -> None:

@@ -71,8 +71,18 @@ RECIPES: dict[str, TrainConfig] = {
         optimiser=OptimiserConfig(weight_decay=0.01, decay_all=True, clip=1.0, clip_apart=False, average=0.0),
         evaluations=100,
     ),
+    # All frames of a window are labels, as in `quick`: eight times the labels for the same encoding. The rate is that of small
+    # residual networks under AdamW; the running average is long, for there are thousands of steps.
+    "gpu": TrainConfig(
+        epochs=20.0,
+        loss=LossConfig(runs=64, location_weight=30.0),
+        rate=RateConfig(first=5e-4, last=1e-5, warm_up=200),
+        optimiser=OptimiserConfig(average=0.998),
+        evaluations=5,
+    ),
 }
-"""`quick`: minutes on a CPU; `paper`: a million steps of batches of 16 (512 and more for many tasks)."""
+"""`quick`: minutes on a CPU; `paper`: a million steps of batches of 16 (512 and more for many tasks); `gpu`: the paper's networks
+in minutes on a large GPU."""
 
 
 def recipe(name: str) -> TrainConfig:

@@ -65,11 +65,11 @@ class TrainState:
         # whose gradient is not channels last is moved in scrambled directions, without a word (PyTorch 2.13).
         self.optimiser = torch.optim.AdamW(groups, foreach=True)
 
-    def update(self, gradient: list[Tensor], rate: float) -> float:
-        """Take one step down the gradient; the larger of its norms before clipping is returned."""
+    def update(self, gradient: list[Tensor], rate: float) -> Tensor:
+        """Take one step down the gradient; the norms before clipping of its parts are returned, `(1,)` or `(2,)`."""
         for parameter, g in zip(self._parameters, gradient, strict=True):
             parameter.grad = g
-        norm = max(float(nn.utils.clip_grad_norm_(part, self.config.clip)) for part in self._clipped)
+        norms = torch.stack([nn.utils.clip_grad_norm_(part, self.config.clip) for part in self._clipped])
         for group in self.optimiser.param_groups:
             group["lr"] = rate
         self.optimiser.step()
@@ -77,9 +77,10 @@ class TrainState:
         # Early on a short memory: the first weights are random and not worth averaging in.
         decay = min(self.config.average, (1 + self.step) / (10 + self.step))
         with torch.no_grad():
-            for mean, raw in zip(self.average.parameters(), self.policy.parameters(), strict=True):
-                mean.lerp_(raw, 1 - decay)
-        return norm
+            torch._foreach_lerp_(  # pyright: ignore[reportPrivateImportUsage]
+                list(self.average.parameters()), list(self.policy.parameters()), 1 - decay
+            )
+        return norms
 
     def save(self, folder: Path) -> None:
         """Write the state, then delete the older ones."""

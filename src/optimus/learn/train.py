@@ -140,18 +140,19 @@ class _Trainer:
         report: dict[str, float] = {}
         losses: list[float] = []
         while state.step < state.plan.steps:
-            loss, gradient = self.workers.gradient(state.step)
+            found, gradient = self.workers.gradient(state.step)
             before = state.plan.at(state.step)
-            norm = state.update(gradient, self.config.rate.at(state.step, before))
-            if not math.isfinite(loss.likelihood) or not math.isfinite(norm):
+            norms = state.update(gradient, self.config.rate.at(state.step, before))
+            likelihood, location, *lengths = torch.cat([found, norms]).tolist()  # the one time that a GPU is waited for
+            if not all(map(math.isfinite, (likelihood, *lengths))):
                 raise TrainingError(
                     f"{self.run}: the loss is no longer finite at step {state.step}; "
                     "lower the learning rate, or check the dataset for extreme values"
                 )
-            losses.append(loss.likelihood)
+            losses.append(likelihood)
             after = state.plan.at(state.step)
             if _passes(before, after, _REPORTS) or _passes(before, after, self.config.evaluations):
-                report = self._report(sum(losses) / len(losses), loss.location, before, after)
+                report = self._report(sum(losses) / len(losses), location, before, after)
                 losses.clear()
             if time.perf_counter() - self.last_save > self.save_interval:
                 self._replan()
@@ -225,6 +226,7 @@ class _Trainer:
             return {"runtime": usual, "plan": there["plan"]}
         usual = config.runtime or usual_runtime(config.loss.runs, ranks.device.type, config.accumulate, ranks)
         runtime = usual if config.half is None else replace(usual, half=config.half)
+        runtime = replace(runtime, compiled=runtime.compiled and policy.config.encoder.compiled)
         steps = config.steps_over(self.windows.labels, config.loss.labels(self.windows.config))
         if steps is None:
             measured = config.runtime is None and config.half is None and ranks.device.type == "cpu"

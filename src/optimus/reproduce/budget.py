@@ -31,6 +31,8 @@ class Budget:
     """Passes over its demonstrations: long tasks are trained for longer, and no figure depends on the processor's pace; if none,
     `minutes` decide."""
     minutes: float = 10.0
+    recipe: str | None = None
+    """What all are trained by; each by its own recipe if none."""
     batch: int | None = None
     """Runs of windows in a step; the recipe's own if none."""
     held_out_runs: int = 256
@@ -57,7 +59,7 @@ class Budget:
 
     def training(self, network: str, seed: int) -> TrainConfig:
         """How the preset `network` is trained: by its own recipe, whose rate anneals over the steps that there are."""
-        base = recipe(preset(network).recipe)
+        base = recipe(self.recipe or preset(network).recipe)
         return replace(
             base,
             steps=self.steps,
@@ -88,7 +90,7 @@ _SMOKE = Budget(
 BUDGETS: dict[str, Budget] = {
     "smoke": _SMOKE,
     "cpu": Budget("cpu", demonstrations=300, epochs=20.0, device="cpu"),
-    "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, minutes=16.0, batch=64, device="cuda"),
+    "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, epochs=30.0, recipe="gpu", device="cuda"),
 }
 """`smoke`: minutes, to prove the path; `cpu`: two cores overnight; `gpu`: one large GPU within half an hour a row."""
 

@@ -1,17 +1,26 @@
-"""Fills a table cell by cell: what is done is not done again, and the table is written after every cell."""
+"""Fills a table cell by cell: what is done is not done again, and the table is written after every cell.
+
+Where a GPU trains, the cores are not idle meanwhile: they collect what later cells need, and try the policies of earlier ones.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
+from optimus.learn.ranks import device_kind
 from optimus.reproduce.site import Site, commit, machine, slug
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.write import write_table
+from optimus.workers import available_cores
 
 
 def table_named(name: str) -> Table:
@@ -31,12 +40,50 @@ def reproduce(site: Site, rows: Sequence[str] = ()) -> dict[str, Any]:
     site.open()
     make_folder(site.out / "cells")
     chosen = [cell for cell in table.cells if not rows or cell.row in rows]
-    for i, cell in enumerate(chosen):
-        site.progress("cells", i, len(chosen), {"next": cell.name})
-        _filled(site, table, cell)
-        _write(site, table, [_filled(site, table, c) for c in table.cells if _file(site, c).exists()])
+    with _ahead(site, [cell for cell in chosen if not _file(site, cell).exists()]) as prepared:
+        for i, cell in enumerate(chosen):
+            site.progress("cells", i, len(chosen), {"next": cell.name})
+            if cell.name in prepared:
+                prepared[cell.name].result()
+            _filled(site, table, cell)
+            _write(site, table, [_filled(site, table, c) for c in table.cells if _file(site, c).exists()])
     site.progress("cells", len(chosen), len(chosen), {})
     return json.loads((site.out / "results.json").read_text())
+
+
+class _StoppedError(Exception):
+    """Ends work ahead that nobody waits for any more."""
+
+
+@contextmanager
+def _ahead(site: Site, cells: Sequence[Cell]) -> Iterator[dict[str, Future[None]]]:
+    """Cell -> when it is prepared, in the background, one after the other; nothing where no GPU trains, or where there is but one
+    worker: that is this process itself, whose GL contexts belong to one thread."""
+    if device_kind(site.budget.device) != "cuda" or (site.workers or available_cores()) == 1:
+        yield {}
+        return
+    over = threading.Event()
+
+    def progress(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
+        if over.is_set():
+            raise _StoppedError
+        site.progress(stage, done, total, notes)
+
+    def trained(collected: Future[object], train: Callable[[], object]) -> None:
+        collected.result()
+        train()
+
+    with ThreadPoolExecutor(1) as cores, ThreadPoolExecutor(1) as gpu:
+        prepared: dict[str, Future[None]] = {}
+        for cell in cells:
+            collect, train = cell.work.ahead(replace(site, progress=progress, cell=cell.name))
+            prepared[cell.name] = gpu.submit(trained, cores.submit(collect), train)
+        try:
+            yield prepared
+        finally:
+            over.set()
+            for pool in (cores, gpu):
+                pool.shutdown(wait=False, cancel_futures=True)
 
 
 def _file(site: Site, cell: Cell) -> Path:
@@ -49,15 +96,15 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     path = _file(site, cell)
     if path.exists():
         return json.loads(path.read_text())
-    before, of = site.hours, commit()
-    measured = cell.work.do(site)
+    of, own = commit(), replace(site, cell=cell.name)
+    measured = cell.work.do(own)
     result = {
         "row": cell.row,
         "column": cell.column,
         "paper": table.papers.get(cell.row, {}).get(cell.column),
         "measured": measured,
         "commands": cell.work.commands(site),
-        "hours": site.hours - before,
+        "hours": own.hours,
         "commit": of,
         "machine": machine(),
     }

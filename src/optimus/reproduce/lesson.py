@@ -130,12 +130,16 @@ class Lesson:
     def run(self, site: Site, seed: int) -> Path:
         return site.out / "policies" / self.name / f"seed-{seed}"
 
+    def collect(self, site: Site) -> list[Path]:
+        """The folders of its datasets, collected and curated; whatever is missing is made."""
+        return [data.collected(site) for data in self.datasets]
+
     def learn(self, site: Site, seed: int) -> None:
         """Train the policy of that seed, unless that is done."""
         run = self.run(site, seed)
         if (run / "done").exists():
             return
-        folders = [data.collected(site) for data in self.datasets]
+        folders = self.collect(site)
         network = site.budget.presets[self.method]
         config, policy = site.budget.training(network, seed), preset(network, self.head, self.observe).policy
         stage = f"train {self.name}"
@@ -166,6 +170,7 @@ class Lesson:
         b, network = site.budget, site.budget.presets[self.method]
         long = "--{} {:.9g}".format(*b.how_long)
         said = (f" --head {self.head}" if self.head else "") + (f" --observe {self.observe}" if self.observe != "images" else "")
+        said += f" --recipe {b.recipe}" if b.recipe is not None else ""
         said += f" --batch {b.batch}" if b.batch is not None else ""
         data = " ".join(f"data/{d.name}" for d in self.datasets)
         return f"optimus train {data} --out policies/{self.name}/seed-{seed} --preset {network} {long} --seed {seed}{said}"

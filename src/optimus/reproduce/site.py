@@ -6,6 +6,7 @@ import json
 import platform
 import re
 import subprocess
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -45,6 +46,10 @@ class Site:
     workers: int = 0
     progress: StageProgress = lambda *_: None
     record: dict[str, Any] = field(default_factory=dict)
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    """Of the record: several threads may be at work."""
+    cell: str = ""
+    """For which cell of the table the work is."""
 
     def open(self) -> None:
         """Make the folder, or go on in it; `DatasetError` if it was begun with something else."""
@@ -68,14 +73,19 @@ class Site:
         try:
             yield
         finally:
-            seconds = self.record["seconds"]
-            seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - began
-            write_json(self.out / "reproduce.json", self.record)
+            with self.lock:
+                spent = time.perf_counter() - began
+                for by, name in (("seconds", stage), ("seconds_by_cell", self.cell)):
+                    seconds = self.record.setdefault(by, {})
+                    seconds[name] = seconds.get(name, 0.0) + spent
+                write_json(self.out / "reproduce.json", self.record)
 
     @property
     def hours(self) -> float:
-        """All sessions together."""
-        return sum(self.record["seconds"].values()) / 3600
+        """All sessions together; of the cell that the work is for, if it is for one. Stages that went on at once are added up."""
+        by_cell = self.record.get("seconds_by_cell", {})
+        seconds = by_cell.get(self.cell, 0.0) if self.cell else sum(self.record["seconds"].values())
+        return seconds / 3600
 
 
 def versions() -> dict[str, str]:

@@ -162,6 +162,19 @@ TABLES: dict[str, Table] = {
                 ("PickPlaceFour", "pick-place-four"),
             ),
         ),
+        Table(
+            "four-tasks",
+            "The paper's network on four tasks",
+            tuple(
+                Cell(row, "OPTIMUS", PolicyWork(Lesson((Data(task),)), (USUAL_TRIALS[0], USUAL_TRIALS[2])))
+                for row, task in (
+                    ("PickPlace", "pick-place"),
+                    ("StackThree", "stack-three"),
+                    ("Shelf", "shelf"),
+                    ("Microwave", "microwave"),
+                )
+            ),
+        ),
         Table("multitask", "Many objects, seen and unseen", _many_objects()),
     )
 }

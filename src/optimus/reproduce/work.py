@@ -5,6 +5,7 @@ A piece of work gives its measurements by name; the one without a name is what t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -33,9 +34,20 @@ class Work(Protocol):
         """The measurements by name, as far as they are not there yet."""
         ...
 
+    def ahead(self, site: Site) -> tuple[Callable[[], object], Callable[[], object]]:
+        """What may be done before: first what takes cores, then what takes a GPU. `do` does whatever of it is not done."""
+        ...
+
     def commands(self, site: Site) -> list[str]:
         """The same by hand."""
         ...
+
+
+class _NothingAhead:
+    """Work that is done in one piece."""
+
+    def ahead(self, site: Site) -> tuple[Callable[[], object], Callable[[], object]]:
+        return lambda: None, lambda: None
 
 
 @dataclass(frozen=True)
@@ -51,6 +63,10 @@ class PolicyWork:
             self.lesson.learn(site, seed)
         return {t.name: _pooled([self.lesson.tried(site, seed, t) for seed in seeds]) for t in self.trials}
 
+    def ahead(self, site: Site) -> tuple[Callable[[], object], Callable[[], object]]:
+        seeds = range(site.seed, site.seed + site.budget.seeds)
+        return lambda: self.lesson.collect(site), lambda: [self.lesson.learn(site, seed) for seed in seeds]
+
     def commands(self, site: Site) -> list[str]:
         found = [command for data in self.lesson.datasets for command in data.commands(site)]
         for seed in range(site.seed, site.seed + site.budget.seeds):
@@ -59,7 +75,7 @@ class PolicyWork:
 
 
 @dataclass(frozen=True)
-class ExpertWork:
+class ExpertWork(_NothingAhead):
     """The planner and its controller, tried as policies are: without images, told the simulated state."""
 
     task: str
@@ -86,7 +102,7 @@ class ExpertWork:
 
 
 @dataclass(frozen=True)
-class ExpertTime:
+class ExpertTime(_NothingAhead):
     """The expert's time per action on a task: what it plans up front shared out over the actions, and its controller's."""
 
     task: str
@@ -100,7 +116,7 @@ class ExpertTime:
 
 
 @dataclass(frozen=True)
-class PolicyTime:
+class PolicyTime(_NothingAhead):
     """A network's time per action on one thread, frames to action: encoding the newest frame, the whole window, and compiled."""
 
     preset: str

@@ -40,6 +40,11 @@ class EncoderConfig:
         """Whether an agent lays out the weights beforehand: not worth it here."""
         return False
 
+    @property
+    def compiled(self) -> bool:
+        """Whether it is compiled for a GPU: there is nothing to fuse here."""
+        return False
+
     def maps(self) -> nn.Module:
         """Images `(N, 3, h, w)` to maps `(N, keypoints, h', w')`."""
         layers: list[nn.Module] = []

@@ -31,6 +31,11 @@ class AnyEncoderConfig(Protocol):
         """Whether an agent had better keep the weights in the convolutions' own layout (see `encoder.prepack`)."""
         ...
 
+    @property
+    def compiled(self) -> bool:
+        """Whether compiling it for a GPU is worth the minute that this takes."""
+        ...
+
     def maps(self) -> nn.Module:
         """A new network from images `(N, 3, h, w)` to maps `(N, keypoints, h', w')`."""
         ...
@@ -73,7 +78,8 @@ class Encoder(nn.Module):
         `shifts` `(N, 2)`: how far right and down of the centre each crop was taken [half sides]. The keypoints
         are moved by as much: a random crop varies what is seen but not where it is said to be.
         """
-        places = torch.cat([self._located(part, half) for part in images.split(self.at_once)])
+        at_once = self.at_once if images.device.type == "cpu" else len(images)
+        places = torch.cat([self._located(part, half) for part in images.split(at_once)])
         if shifts is not None:
             places = places + shifts.repeat_interleave(places.shape[1] // 2, dim=1)
         return self.project(places)

@@ -37,6 +37,11 @@ class ResNetConfig:
         """Whether an agent lays out the weights beforehand."""
         return True
 
+    @property
+    def compiled(self) -> bool:
+        """Whether it is compiled for a GPU: its norms are as slow as its convolutions there."""
+        return True
+
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> ResNetConfig:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""

@@ -102,12 +102,13 @@ class Mixture:
 class MixtureHead(nn.Module):
     """One linear layer to the parameters of a mixture."""
 
+    weight: Tensor
+
     def __init__(self, config: MixtureConfig, width: int, actions: int) -> None:
         super().__init__()
         self.config, self.actions = config, actions
         self.parameters_of = nn.Linear(width, config.modes * (2 * actions + 1))
-        self.weight = torch.ones(actions)
-        self.weight[-1] = config.gripper_weight
+        self.register_buffer("weight", torch.tensor([1.0] * (actions - 1) + [config.gripper_weight]), persistent=False)
 
     def forward(self, features: Tensor) -> Mixture:
         """`(..., width)` to a mixture, in float32."""
@@ -123,4 +124,4 @@ class MixtureHead(nn.Module):
 
     def loss(self, features: Tensor, actions: Tensor, noise: torch.Generator | None = None) -> Tensor:
         """Negative log-likelihood of normalised `actions` `(..., n)`, shape `(...)`."""
-        return -self(features).log_density(actions, self.weight.to(features.device))
+        return -self(features).log_density(actions, self.weight)
