@@ -108,6 +108,7 @@ class GradientWorkers:
         self._noise = torch.Generator(self._device)
         if runtime.device == "cuda":
             torch.set_float32_matmul_precision("high")  # what is not in bfloat16 goes through the matrix units, too
+            torch.backends.cudnn.benchmark = True  # shapes never change: try the algorithms once, keep the fastest
         if runtime.compiled:
             for encoder in policy.encoders.children():
                 encoder.get_submodule("trunk").compile(dynamic=False)

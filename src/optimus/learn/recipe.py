@@ -39,7 +39,7 @@ class TrainConfig:
     held_out_runs: int = 256
     """Windows that it is measured on."""
     checkpoint_seconds: float = 60.0
-    """Time between checkpoints."""
+    """Time between checkpoints, longer where writing one takes long; 0: after every step."""
     accumulate: int = 1
     """Portions of a batch that each process computes one after the other: memory for one portion is enough."""
     device: Device = "auto"

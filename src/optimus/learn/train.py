@@ -41,6 +41,7 @@ from optimus.learn.state import TrainState
 
 STATE_FOLDER = "train_state"
 _REPORTS = 200  # lines of metrics over a run
+_SAVING = 0.05  # share of the time, at most, that goes into checkpoints on the way
 _ERROR = "held_out_action_error"  # decides which policy is the best
 
 
@@ -190,6 +191,13 @@ class _Trainer:
         self.last_save, self.state.seconds = time.perf_counter(), self._consumed()
         if not self.ranks.first:
             return
+        self._write()
+        if self.save_interval > 0:
+            # of a large policy a state is hundreds of megabytes: no more than a share of the time goes into writing them
+            self.save_interval = max(self.save_interval, (time.perf_counter() - self.last_save) / _SAVING)
+        self.last_save = time.perf_counter()
+
+    def _write(self) -> None:
         self.state.save(self.run / STATE_FOLDER)
         checkpoint.save(self.run, self.state.average)
         best = self.best
