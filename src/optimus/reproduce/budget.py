@@ -10,10 +10,18 @@ from optimus.errors import UnknownNameError
 from optimus.learn.presets import preset
 from optimus.learn.recipe import Device, TrainConfig, recipe
 
-PAPERS: dict[str, str] = {"OPTIMUS": "optimus-30m", "BC-MLP": "bc-mlp", "BC-RNN": "bc-rnn", "BeT": "bet"}
-SMALL: dict[str, str] = {"OPTIMUS": "quick", "BC-MLP": "quick-mlp", "BC-RNN": "quick-rnn", "BeT": "quick-bet"}
-METHODS = tuple(PAPERS)
+METHODS: tuple[str, ...] = ("OPTIMUS", "BC-MLP", "BC-RNN", "BeT")
 """As the paper names them."""
+LOCATING = "OPTIMUS locating"
+"""The same, also taught where the objects are. The small network always is."""
+PAPERS: dict[str, str] = {
+    "OPTIMUS": "optimus-30m",
+    "BC-MLP": "bc-mlp",
+    "BC-RNN": "bc-rnn",
+    "BeT": "bet",
+    LOCATING: "optimus-30m-locating",
+}
+SMALL: dict[str, str] = {"OPTIMUS": "quick", "BC-MLP": "quick-mlp", "BC-RNN": "quick-rnn", "BeT": "quick-bet", LOCATING: "quick"}
 
 
 @dataclass(frozen=True)
@@ -90,7 +98,7 @@ _SMOKE = Budget(
 BUDGETS: dict[str, Budget] = {
     "smoke": _SMOKE,
     "cpu": Budget("cpu", demonstrations=300, epochs=20.0, device="cpu"),
-    "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, epochs=30.0, recipe="gpu", device="cuda"),
+    "gpu": Budget("gpu", demonstrations=1000, presets=PAPERS, epochs=20.0, recipe="gpu", device="cuda"),
 }
 """`smoke`: minutes, to prove the path; `cpu`: two cores overnight; `gpu`: one large GPU within half an hour a row."""
 

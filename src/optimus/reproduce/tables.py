@@ -9,7 +9,7 @@ from importlib import resources
 from optimus.conditions import USUAL, Conditions
 from optimus.data.episode import OSC
 from optimus.learn.presets import HeadName
-from optimus.reproduce.budget import METHODS
+from optimus.reproduce.budget import LOCATING, METHODS
 from optimus.reproduce.views import STACK_CLOSE, STACK_DISTANT
 from optimus.reproduce.work import USUAL_TRIALS, Data, ExpertTime, ExpertWork, Lesson, PolicyTime, PolicyWork, Trial, Work
 
@@ -166,7 +166,8 @@ TABLES: dict[str, Table] = {
             "four-tasks",
             "The paper's network on four tasks",
             tuple(
-                Cell(row, "OPTIMUS", PolicyWork(Lesson((Data(task),)), (USUAL_TRIALS[0], USUAL_TRIALS[2])))
+                Cell(row, method, PolicyWork(Lesson((Data(task),), method), (USUAL_TRIALS[0], USUAL_TRIALS[2])))
+                for method in (LOCATING, "OPTIMUS")
                 for row, task in (
                     ("PickPlace", "pick-place"),
                     ("StackThree", "stack-three"),

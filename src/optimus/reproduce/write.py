@@ -64,7 +64,8 @@ def markdown(found: dict[str, Any]) -> str:
     for cell, name, m in lines(found):
         usual = "validation states" if "by_seed" in m else "seeds from 7000 on" if "episodes" in m and "successes" in m else ""
         counted = [str(m.get(k, "")) for k in ("paper_rule_successes", "distinct_states")]
-        spent = [f"{cell['hours']:.2f}", cell["commit"] or "", cell["machine"]["processor"]]
+        machine = cell["machine"]
+        spent = [f"{cell['hours']:.2f}", cell["commit"] or "", ", ".join(filter(None, (machine["processor"], machine["gpu"])))]
         spent = spent if name == next(iter(cell["measured"])) else [""] * len(spent)
         shown = [cell["row"], cell["column"], name or usual, said(m), *counted, *spent]
         text.append(f"| {' | '.join(shown)} |")
