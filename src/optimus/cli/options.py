@@ -18,7 +18,7 @@ PresetName = Annotated[
     arg(
         metavar="PRESET",
         help="quick, quick-mlp, quick-rnn, quick-bet (minutes on a CPU); optimus-30m, optimus-60m, optimus-100m, bc-mlp, bc-rnn, "
-        "bet (the paper's, with a ResNet-18 a camera)",
+        "bet (the paper's, with a ResNet-18 a camera); optimus-30m-locating (also taught where the objects are)",
     ),
 ]
 RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`, or `pretrained:NAME`")]
