@@ -53,7 +53,15 @@ def test_resnet_has_the_published_number_of_weights() -> None:
 
 @pytest.mark.parametrize(
     ("name", "millions"),
-    [("quick", 0.777), ("optimus-30m", 27.2), ("optimus-30m-locating", 27.2), ("optimus-60m", 60.3), ("optimus-100m", 100.7), ("bc-mlp", 23.7), ("bc-rnn", 35.5)],
+    [
+        ("quick", 0.777),
+        ("optimus-30m", 27.2),
+        ("optimus-30m-locating", 27.2),
+        ("optimus-60m", 60.3),
+        ("optimus-100m", 100.7),
+        ("bc-mlp", 23.7),
+        ("bc-rnn", 35.5),
+    ],
 )
 def test_presets_have_the_size_that_their_layers_add_up_to(name: str, millions: float) -> None:
     config = preset(name).policy

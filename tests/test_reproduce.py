@@ -180,10 +180,11 @@ def test_where_a_gpu_trains_cells_are_prepared_ahead_and_the_table_is_the_same(
     plain = reproduce(Site("table-b2", tmp_path / "plain", tiny, workers=2))
     monkeypatch.setattr(engine_module, "device_kind", lambda device: "cuda")
     # the first trial of the first policy waits for the training of the second one
-    trained, seen = threading.Event(), []
+    trained, seen, priorities = threading.Event(), [], {}
 
     def progress(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
         seen.append(stage)
+        priorities.setdefault(stage.split()[0], os.getpriority(os.PRIO_PROCESS, threading.get_native_id()))
         if stage.startswith("train pick-place") and done == total:
             trained.set()
         if stage.startswith("evaluate stack"):
@@ -192,6 +193,7 @@ def test_where_a_gpu_trains_cells_are_prepared_ahead_and_the_table_is_the_same(
     ahead = reproduce(Site("table-b2", tmp_path / "ahead", tiny, workers=2, progress=progress))
     outcomes = lambda found: [c["measured"] for c in found["cells"]]  # noqa: E731
     assert outcomes(ahead) == outcomes(plain) and "train pick-place-optimus" in seen
+    assert priorities["collect"] > priorities["train"] or sys.platform != "linux"
     assert ahead["hours"] >= sum(c["hours"] for c in ahead["cells"]) * 0.999 > 0
 
     def stop(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
