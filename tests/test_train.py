@@ -124,6 +124,19 @@ def test_stopping_after_each_step_changes_nothing(uninterrupted: Path, dataset: 
     assert [line["step"] for line in metrics.read(tmp_path)] == list(range(1, 25))
 
 
+def test_a_session_that_the_callback_ends_loses_nothing(uninterrupted: Path, dataset: Path, tmp_path: Path) -> None:
+    def stop(progress: Progress) -> None:
+        if progress.step == 10:
+            raise Stop
+
+    seldom = replace(QUICK, checkpoint_seconds=1000.0)
+    with pytest.raises(Stop):
+        train(dataset, tmp_path, seldom, SMALL, stop)
+    assert [file.name for file in (tmp_path / "train_state").iterdir()] == ["00000010.safetensors"]
+    train(dataset, tmp_path, seldom, SMALL)
+    assert_same_bits(tmp_path, uninterrupted)
+
+
 CHILD = """
 import sys; sys.path.insert(0, {tests!r})
 from test_train import QUICK, SMALL, train

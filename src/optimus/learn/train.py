@@ -72,8 +72,8 @@ def train(
     """Train a policy on the curated dataset `dataset`, or on several, into the folder `run`, or go on with what is there.
 
     `corrections` are further datasets, all of which is trained on; `initial` is a run folder whose weights to begin with, instead
-    of random ones. The policy returned is the running average, as saved. `progress` is called after every step; `watch` says where
-    the figures go besides `metrics.jsonl`.
+    of random ones. The policy returned is the running average, as saved. `progress` is called after every step, and what it raises
+    ends the session, after a checkpoint; `watch` says where the figures go besides `metrics.jsonl`.
     """
     sources = Sources(_paths(dataset), _paths(corrections), Path(initial) if initial else None)
     config = config or TrainConfig()
@@ -158,7 +158,11 @@ class _Trainer:
             if time.perf_counter() - self.last_save > self.save_interval:
                 self._replan()
                 self._save()
-            progress(Progress(state.step, state.plan.steps, report))
+            try:
+                progress(Progress(state.step, state.plan.steps, report))
+            except BaseException:
+                self._save()
+                raise
         self._save()
 
     def _report(self, loss: float, location: float, before: float, after: float) -> dict[str, float]:
