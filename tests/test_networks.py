@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -277,3 +278,23 @@ def test_unknown_names_are_listed() -> None:
         preset("optimus-31m")
     with pytest.raises(UnknownNameError, match="gaussian"):
         preset("quick", "softmax")  # type: ignore[arg-type]
+
+
+def test_a_residual_encoder_compiles_to_one_graph() -> None:
+    """Block by block, its seven kinds of block would use up PyTorch's limit of graphs with one shape of images."""
+    graphs = []
+
+    def count(graph: torch.fx.GraphModule, _: list[torch.Tensor]) -> Any:
+        graphs.append(graph)
+        return graph.forward
+
+    first, second = (Encoder(ResNetConfig()).get_submodule("trunk") for _ in range(2))
+    for trunk in (first, second):
+        trunk.compile(backend=count, dynamic=False)
+    with torch.no_grad():
+        for images in (torch.rand(1, 3, 76, 76), torch.rand(2, 3, 76, 76)):
+            for trunk in (first, second):
+                expected = torch.nn.Sequential(*trunk.children())(images)
+                torch.testing.assert_close(trunk(images), expected)
+    assert 2 <= len(graphs) <= 4  # one for each shape, perhaps for each camera as well
+    torch._dynamo.reset()

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 import pytest
 
+from optimus.env import ManipulationEnv
 from optimus.errors import StorageError
 from optimus.filming import worth_filming
 from optimus.report import (
@@ -25,6 +26,7 @@ from optimus.report import (
 )
 from optimus.show import Film as Recorder
 from optimus.show import png
+from optimus.tasks import task
 
 PNG = b"\x89PNG\r\n\x1a\n not really"
 VOID = {"meta", "img", "br"}
@@ -233,3 +235,15 @@ def test_a_comparison_on_a_phone(full: ReportData, tmp_path: Path) -> None:
         opened.goto(path.as_uri())
         browser.requires_no_sideways_scrolling(opened)
         assert wrong == []
+
+
+def test_a_film_of_who_sees_nothing_shows_the_scene_alone() -> None:
+    told, seeing = (ManipulationEnv(task("stack"), images=images, positions=not images) for images in (False, True))
+    films = [Recorder(), Recorder()]
+    for film, env in zip(films, (told, seeing), strict=True):
+        env.reset(seed=3)
+        film(env)
+    (alone,), (both,) = (film.frames for film in films)
+    assert alone.shape == (240, 240, 3) and both.shape[1] > 2 * 240
+    assert np.array_equal(both[:, :240], alone)
+    assert films[0].strip(1).shape == (240, 240, 3)

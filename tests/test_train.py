@@ -137,6 +137,19 @@ def test_a_session_that_the_callback_ends_loses_nothing(uninterrupted: Path, dat
     assert_same_bits(tmp_path, uninterrupted)
 
 
+def test_a_budget_of_minutes_is_kept_to_when_the_pace_changes(dataset: Path, tmp_path: Path) -> None:
+    """Slower than was measured at the start: the plan is revised, however long a checkpoint takes to write."""
+
+    def slow(progress: Progress) -> None:
+        time.sleep(0.05)
+
+    began = time.perf_counter()
+    train(dataset, tmp_path, replace(QUICK, steps=None, minutes=0.1, checkpoint_seconds=60.0), SMALL, slow)
+    assert 4 < time.perf_counter() - began < 12
+    last = metrics.read(tmp_path)[-1]
+    assert last["step"] == last["steps"] < 150
+
+
 CHILD = """
 import sys; sys.path.insert(0, {tests!r})
 from test_train import QUICK, SMALL, train

@@ -83,10 +83,10 @@ def png(picture: Picture) -> bytes:
 
 
 def observation_strip(observation: Observation, size: int) -> Picture:
-    """The cameras side by side, as the policy sees them, enlarged without smoothing."""
+    """The cameras side by side, as the policy sees them, enlarged without smoothing; of no width where it sees nothing."""
     views = [observation[k] for k in observation if k.endswith(IMAGE_SUFFIX)]
     enlarged = [np.asarray(Image.fromarray(v).resize((size, size), Image.Resampling.NEAREST)) for v in views]
-    return grid(enlarged, len(enlarged))
+    return grid(enlarged, len(enlarged)) if enlarged else np.empty((size, 0, 3), np.uint8)
 
 
 def show_scene(task: Task, seed: int, out: Path, robot: Robot | None = None) -> str:

@@ -32,6 +32,8 @@ from optimus.statistics import quantiles
 _EPISODES, _LENGTH = 20, 100
 _SECONDS = 1.5
 """Each way is timed for at least so long, after its first steps."""
+GPU_WAYS = 4
+"""In which a step is timed."""
 _WARM_UP, _GROUP = 3, 5
 """Steps that are not counted, and steps timed as one."""
 

@@ -63,8 +63,8 @@ def bench(
 
     Args:
         preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
-        rounds: with --preset: how often a step is timed (an action: ten times as often)
-        compile: with action --preset: time it compiled as well, which takes a minute to begin with
+        rounds: with --preset: how often a step is timed (an action: ten times as often; a step on a GPU: for some seconds)
+        compile: with action --preset, on the CPU: time it compiled as well, which takes a minute to begin with
         device: with --preset: what computes; on a GPU, elapsed time, with the data resident there
         batch: with step --preset --device cuda: windows in a step
         episodes: how many to run (for render, action and read: frames, actions, batches)
@@ -80,6 +80,8 @@ def bench(
     for name, asked in (("check", check), ("where", where), ("perturb, --friction and --mass", unusual)):
         if asked and what != "expert":
             raise OptimusError(f"--{name}: this goes with `bench expert` alone")
+    if device == "cuda" and preset is None:
+        raise OptimusError("--device cuda: this goes with --preset; a TASK is measured on the CPU")
     if preset is not None:
         if task is not None:
             raise OptimusError(f"--preset {preset} is measured on made-up data; leave out {task}")
@@ -95,7 +97,7 @@ def bench(
 
 
 def _of_preset(what: str, preset: str, rounds: int, seed: int, compile: bool, device: str, batch: int) -> dict[str, Any]:
-    from optimus.bench.gpu import bench_gpu_action, bench_gpu_step
+    from optimus.bench.gpu import GPU_WAYS, bench_gpu_action, bench_gpu_step
     from optimus.bench.policy import bench_gradient_step, bench_policy_action
 
     if what not in ("step", "action"):
@@ -104,7 +106,7 @@ def _of_preset(what: str, preset: str, rounds: int, seed: int, compile: bool, de
         raise OptimusError(f"--rounds {rounds} is not positive")
     if batch < 1:
         raise OptimusError(f"--batch {batch} is not positive")
-    rounds = rounds if what == "step" else 10 * rounds
+    rounds = 10 * rounds if what == "action" else rounds if device == "cpu" else GPU_WAYS
     with bar(rounds, f"bench {what} {preset}", "round") as shown:
         if device == "cuda":
             on_gpu = bench_gpu_action if what == "action" else bench_gpu_step

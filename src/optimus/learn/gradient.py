@@ -1,12 +1,15 @@
 """The gradient of one training step: a pure function of the weights, the seed, the step and the runtime.
 
-That is what makes resuming exact. Nothing random is carried from step to step: sampling, crops and dropout of
-a step come from generators seeded with the seed, the step and the shard.
+That is what makes resuming exact on a CPU; on a GPU, whose libraries choose their algorithms by trying them, up to rounding.
+Nothing random is carried from step to step: sampling, crops and dropout of a step come from generators seeded with the seed, the
+step and the shard.
 """
 
 from __future__ import annotations
 
 import importlib.util
+import os
+import shutil
 import time
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -93,6 +96,8 @@ class GradientWorkers:
                 f"a batch of {config.runs} cannot be split into {runtime.parts} parts ({runtime.shards} threads x "
                 f"{runtime.accumulate} portions x {runtime.processes} processes); use a larger batch or fewer portions"
             )
+        if runtime.device == "cuda" and runtime.shards > 1:
+            raise BatchError(f"a GPU computes a portion in one thread, not in {runtime.shards}; ask for portions instead")
         self.policy, self.windows, self.config, self.runtime, self.seed = (
             policy,
             windows,
@@ -106,6 +111,7 @@ class GradientWorkers:
         self._recordings: dict[int, Recording[_PartGradient]] = {}
         self._device = self.parameters[0].device
         self._noise = torch.Generator(self._device)
+        self._before = torch.get_float32_matmul_precision(), torch.backends.cudnn.benchmark
         if runtime.device == "cuda":
             torch.set_float32_matmul_precision("high")  # what is not in bfloat16 goes through the matrix units, too
             torch.backends.cudnn.benchmark = True  # shapes never change: try the algorithms once, keep the fastest
@@ -114,8 +120,10 @@ class GradientWorkers:
                 encoder.get_submodule("trunk").compile(dynamic=False)
 
     def close(self) -> None:
-        """End the threads."""
+        """End the threads; what was set for all of the process is as it was."""
         self._threads.shutdown()
+        torch.set_float32_matmul_precision(self._before[0])
+        torch.backends.cudnn.benchmark = self._before[1]
 
     def gradient(self, step: int) -> tuple[Tensor, list[Tensor]]:
         """Losses and gradient at the current weights, on the batch of this step: the same in every process.
@@ -127,7 +135,7 @@ class GradientWorkers:
         first = self.ranks.rank * share
         losses, total = self._portion(step, first)
         if share > 1 and self._recordings:
-            losses, total = losses.clone(), [piece.clone() for piece in total]
+            total = [piece.clone() for piece in total]
         for portion in range(first + 1, first + share):
             more, pieces = self._portion(step, portion)
             losses = losses + more
@@ -212,15 +220,22 @@ def candidate_runtimes(usual: Runtime) -> list[Runtime]:
 
 def usual_runtime(runs: int, device: str = "cpu", accumulate: int = 1, ranks: Ranks | None = None) -> Runtime:
     """What a budget in steps runs with unless told otherwise: a function of the machine, not of a clock, so that two runs
-    of the same command end with the same weights."""
+    of the same command end with the same weights (on a GPU up to rounding)."""
     ranks = ranks or Ranks()
     if device == "cuda":
-        compiler = importlib.util.find_spec("triton") is not None
-        return Runtime(1, torch.cuda.is_bf16_supported(), accumulate, ranks.count, device, recorded=True, compiled=compiler)
+        half = torch.cuda.is_bf16_supported()
+        return Runtime(1, half, accumulate, ranks.count, device, recorded=True, compiled=_can_compile())
     cores = available_cores() // ranks.on_this_machine
     able = torch.cpu.get_capabilities()
     half = bool(able.get("avx512_bf16") or able.get("amx_bf16"))
     return Runtime(max(1, min(cores, runs // (accumulate * ranks.count))), half, accumulate, ranks.count, device)
+
+
+def _can_compile() -> bool:
+    """Whether PyTorch can compile for the GPU: with Triton, which needs a C compiler, on one of compute capability 7 or more."""
+    compilers = [os.environ.get("CC", "gcc"), "gcc", "cc", "clang"]
+    there = importlib.util.find_spec("triton") is not None and any(map(shutil.which, compilers))
+    return there and torch.cuda.get_device_capability() >= (7, 0)
 
 
 def fastest_runtime(

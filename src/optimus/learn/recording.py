@@ -28,6 +28,10 @@ class Recording(Generic[Out]):
     ) -> None:
         """`example` is on the GPU; `noise` is the generator that `function` draws from, if it does: seed it before a call."""
         self._inputs = {name: tensor.clone() for name, tensor in example.items()}
+        with torch.cuda.device(next(iter(self._inputs.values())).device):
+            self._record(function, noise)
+
+    def _record(self, function: Callable[[Mapping[str, Tensor]], Out], noise: torch.Generator | None) -> None:
         self._graph = torch.cuda.CUDAGraph()
         if noise is not None:
             self._graph.register_generator_state(noise)

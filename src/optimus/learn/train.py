@@ -7,7 +7,7 @@
     RUN/metrics.jsonl        one line a report: loss, rate, labels a second, held-out errors
     RUN/tensorboard/         the same for TensorBoard
 
-A run that was killed goes on where its last checkpoint was; unless it goes by the clock, it ends with the very same
+A run that was killed goes on where its last checkpoint was; unless it goes by the clock, it ends on a CPU with the very same
 weights. Started by `torchrun`, several processes train one policy.
 """
 
@@ -100,10 +100,11 @@ class _Trainer:
     def __init__(self, sources: Sources, run: Path, config: TrainConfig, policy_config: PolicyConfig, ranks: Ranks) -> None:
         self.run, self.config, self.ranks = run, config, ranks
         self.board: Board
-        self.session_start = self.last_save = self.last_report = time.perf_counter()
-        # Often enough that a short budget of minutes is still kept to: the plan is revised where it is saved.
-        budget = 60 * config.minutes if config.by_the_clock else math.inf
-        self.save_interval = min(config.checkpoint_seconds, budget / 20)
+        self.session_start = self.last_save = self.last_report = self.last_plan = time.perf_counter()
+        self.first_taken = math.inf  # when the first step of the session had been: opening and compiling is not its pace
+        # Often enough that a short budget of minutes is still kept to.
+        self.plan_interval = 60 * config.minutes / 20 if config.by_the_clock else math.inf
+        self.save_interval = self.least_save_interval = min(config.checkpoint_seconds, self.plan_interval)
         begun = checkpoint.load(sources.initial) if sources.initial else None
         policy_config = begun.config if begun else policy_config
         lessons = Lessons.of(sources, policy_config.cut(config.windows, config.change_weight, config.change_reach))
@@ -155,8 +156,11 @@ class _Trainer:
             if _passes(before, after, _REPORTS) or _passes(before, after, self.config.evaluations):
                 report = self._report(sum(losses) / len(losses), location, before, after)
                 losses.clear()
-            if time.perf_counter() - self.last_save > self.save_interval:
-                self._replan()
+            now = time.perf_counter()
+            self.first_taken = min(self.first_taken, now)
+            if now - self.last_plan > self.plan_interval:
+                self._replan(now)
+            if now - self.last_save > self.save_interval:
                 self._save()
             try:
                 progress(Progress(state.step, state.plan.steps, report))
@@ -196,10 +200,11 @@ class _Trainer:
         if not self.ranks.first:
             return
         self._write()
-        if self.save_interval > 0:
+        written = time.perf_counter()
+        if self.least_save_interval > 0:
             # of a large policy a state is hundreds of megabytes: no more than a share of the time goes into writing them
-            self.save_interval = max(self.save_interval, (time.perf_counter() - self.last_save) / _SAVING)
-        self.last_save = time.perf_counter()
+            self.save_interval = max(self.least_save_interval, (written - self.last_save) / _SAVING)
+        self.last_save = written
 
     def _write(self) -> None:
         self.state.save(self.run / STATE_FOLDER)
@@ -213,11 +218,12 @@ class _Trainer:
         """Training time so far [s], that of earlier sessions included."""
         return self.seconds_before + time.perf_counter() - self.session_start
 
-    def _replan(self) -> None:
+    def _replan(self, now: float) -> None:
         """With a budget of minutes, end when they are over even on a machine that has changed its pace."""
-        taken = self.state.step - self.first_step
-        if self.config.by_the_clock and taken > 0:
-            pace = (time.perf_counter() - self.session_start) / taken
+        self.last_plan = now
+        taken = self.state.step - self.first_step - 1
+        if taken > 0:
+            pace = (now - self.first_taken) / taken
             self.state.plan = self.state.plan.revised(self.state.step, 60 * self.config.minutes - self._consumed(), pace)
 
     def _settle(

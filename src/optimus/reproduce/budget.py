@@ -66,7 +66,7 @@ class Budget:
         return ("minutes", self.minutes) if self.epochs is None else ("epochs", self.epochs)
 
     def training(self, network: str, seed: int) -> TrainConfig:
-        """How the preset `network` is trained: by its own recipe, whose rate anneals over the steps that there are."""
+        """How the preset `network` is trained: by the budget's recipe or its own; the rate anneals over the steps there are."""
         base = recipe(self.recipe or preset(network).recipe)
         return replace(
             base,

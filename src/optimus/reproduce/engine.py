@@ -5,6 +5,7 @@ Where a GPU trains, the cores are not idle meanwhile: they collect what later ce
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 import sys
@@ -21,6 +22,7 @@ from optimus.errors import UnknownNameError
 from optimus.learn.ranks import device_kind
 from optimus.reproduce.site import Site, commit, machine, slug
 from optimus.reproduce.tables import TABLES, Cell, Table
+from optimus.reproduce.work import PolicyWork
 from optimus.reproduce.write import write_table
 from optimus.workers import available_cores
 
@@ -60,7 +62,8 @@ _NICENESS = 10
 def _give_way() -> None:
     """Lower the priority of this thread, and of the processes that it starts: on Linux it has one of its own."""
     if sys.platform == "linux":
-        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
+        own = threading.get_native_id()
+        os.setpriority(os.PRIO_PROCESS, own, max(_NICENESS, os.getpriority(os.PRIO_PROCESS, own)))
 
 
 class _StoppedError(Exception):
@@ -71,7 +74,8 @@ class _StoppedError(Exception):
 def _ahead(site: Site, cells: Sequence[Cell]) -> Iterator[dict[str, Future[None]]]:
     """Cell -> when it is prepared, in the background, one after the other; nothing where no GPU trains, or where there is but one
     worker: that is this process itself, whose GL contexts belong to one thread."""
-    if device_kind(site.budget.device) != "cuda" or (site.workers or available_cores()) == 1:
+    taught = any(isinstance(cell.work, PolicyWork) for cell in cells)
+    if not taught or device_kind(site.budget.device) != "cuda" or (site.workers or available_cores()) == 1:
         yield {}
         return
     over = threading.Event()
@@ -125,11 +129,13 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
 
 
 def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
+    with site.lock:
+        record = copy.deepcopy(site.record)
     found = {
         "table": table.name,
         "title": table.title,
         "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed} --out DIR",
-        **site.record,
+        **record,
         "hours": site.hours,
         "complete": len(results) == len(table.cells),
         "missing": [cell.name for cell in table.cells if not _file(site, cell).exists()],

@@ -57,6 +57,7 @@ class Site:
         asked = {"table": self.table, "budget": json.loads(json.dumps(asdict(self.budget))), "seed": self.seed}
         if path.exists():
             self.record = json.loads(path.read_text())
+            self.record["asked"]["budget"] = _said_of_all(self.record["asked"]["budget"], asked["budget"])
             for key, wanted in asked.items():
                 if self.record["asked"].get(key) != wanted:
                     have = self.record["asked"].get(key)
@@ -83,9 +84,17 @@ class Site:
     @property
     def hours(self) -> float:
         """All sessions together; of the cell that the work is for, if it is for one. Stages that went on at once are added up."""
-        by_cell = self.record.get("seconds_by_cell", {})
-        seconds = by_cell.get(self.cell, 0.0) if self.cell else sum(self.record["seconds"].values())
+        with self.lock:
+            by_cell = self.record.get("seconds_by_cell", {})
+            seconds = by_cell.get(self.cell, 0.0) if self.cell else sum(self.record["seconds"].values())
         return seconds / 3600
+
+
+def _said_of_all(recorded: dict[str, Any], now: dict[str, Any]) -> dict[str, Any]:
+    """The budget that an earlier version recorded, with what it could not yet say at what it did, and networks it did not know."""
+    defaults = json.loads(json.dumps(asdict(Budget(now["name"], now["demonstrations"]))))
+    presets = {**now["presets"], **recorded.get("presets", {})}
+    return {**defaults, **recorded, "presets": presets}
 
 
 def versions() -> dict[str, str]:

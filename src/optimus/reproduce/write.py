@@ -75,7 +75,9 @@ def markdown(found: dict[str, Any]) -> str:
 
 
 def command_of(found: dict[str, Any]) -> str:
-    """What filled the rows that are filled."""
+    """What filled the rows that are filled; of a page that was put together from a campaign, as it says itself."""
+    if "filled_by" in found:
+        return found["filled_by"]
     filled = dict.fromkeys(cell["row"] for cell, _, _ in lines(found))
     return found["command"] if found["complete"] else f"{found['command']} --rows {shlex.join(filled)}"
 

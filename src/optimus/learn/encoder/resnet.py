@@ -54,7 +54,17 @@ class ResNetConfig:
         for wider, stride in ((64, 1), (128, 2), (256, 2), (512, 2)):
             layers += [ResidualBlock(channels, wider, stride), ResidualBlock(wider, wider, 1)]
             channels = wider
-        return nn.Sequential(*layers, nn.Conv2d(channels, self.keypoints, 1))
+        return Whole(*layers, nn.Conv2d(channels, self.keypoints, 1))
+
+
+class Whole(nn.Sequential):
+    """Its layers in turn. PyTorch compiles its own class block by block; this one becomes a single graph."""
+
+    def forward(self, input: Tensor) -> Tensor:
+        """As `nn.Sequential`."""
+        for layer in self:
+            input = layer(input)
+        return input
 
 
 class ResidualBlock(nn.Module):
