@@ -116,8 +116,9 @@ class GradientWorkers:
             torch.set_float32_matmul_precision("high")  # what is not in bfloat16 goes through the matrix units, too
             torch.backends.cudnn.benchmark = True  # shapes never change: try the algorithms once, keep the fastest
         if runtime.compiled:
-            for encoder in policy.encoders.children():
-                encoder.get_submodule("trunk").compile(dynamic=False)
+            for trunk in (encoder.get_submodule("trunk") for encoder in policy.encoders.children()):
+                if trunk._compiled_call_impl is None:  # else it has been, where the pace was measured
+                    trunk.compile(dynamic=False)
 
     def close(self) -> None:
         """End the threads; what was set for all of the process is as it was."""

@@ -28,6 +28,7 @@ from optimus.data.store import installed_versions
 from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.batches import source_on
+from optimus.learn.begun import require_same, require_same_inputs, train_described
 from optimus.learn.board import Board, BoardName, board, require_board
 from optimus.learn.card import write_card
 from optimus.learn.gradient import GradientWorkers, Runtime, candidate_runtimes, fastest_runtime, usual_runtime
@@ -112,7 +113,7 @@ class _Trainer:
         inputs = PolicyInputs.of(lessons.task, self.windows)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
         if begun:
-            _require_same_inputs(begun, inputs, sources.initial)
+            require_same_inputs(begun, inputs, sources.initial)
         else:
             policy.fit_normalisation(self.windows)
         policy.to(ranks.device)
@@ -235,8 +236,8 @@ class _Trainer:
         what = json.loads(json.dumps({**policy.description(), "train": asdict(config), **about}))
         if (self.run / checkpoint.CONFIG_FILE).exists():
             there = checkpoint.read_config(self.run)
-            there = {**there, **Policy.described(there), "train": _train_described(there["train"])}
-            _require_same(self.run, there, what)
+            there = {**there, **Policy.described(there), "train": train_described(there["train"])}
+            require_same(self.run, there, what)
             usual = asdict(Runtime(**there["runtime"]))
             for name, have in (("processes", ranks.count), ("device", ranks.device.type)):
                 if usual[name] != have:
@@ -258,22 +259,6 @@ class _Trainer:
         return settled
 
 
-def _require_same_inputs(begun: Policy, inputs: PolicyInputs, run: Path | None) -> None:
-    """`CheckpointError` if the policy that training is to begin with sees or does something else than the data."""
-    have, wanted = asdict(begun.inputs), asdict(inputs)
-    # what says most comes first: under another control everything else is different as well
-    for what in dict.fromkeys(("control", "robot", *wanted)):
-        if have[what] != wanted[what]:
-            raise CheckpointError(f"{run} was trained with {what} = {have[what]!r}, not {wanted[what]!r} as the data; name another")
-
-
-def _train_described(there: dict[str, Any]) -> dict[str, Any]:
-    """The settings that an earlier version recorded, with those that it had not yet, at what it did."""
-    defaults = json.loads(json.dumps(asdict(TrainConfig())))
-    whole = {k: {**v, **there.get(k, {})} if isinstance(v, dict) else there.get(k, v) for k, v in defaults.items()}
-    return {**whole, "runtime": whole["runtime"] and asdict(Runtime(**whole["runtime"]))}
-
-
 def fresh_policy(config: PolicyConfig, inputs: PolicyInputs, seed: int) -> Policy:
     """A policy with random weights, a function of the seed; the global random state is left as it was."""
     with torch.random.fork_rng(devices=[]):
@@ -284,20 +269,3 @@ def fresh_policy(config: PolicyConfig, inputs: PolicyInputs, seed: int) -> Polic
 def _passes(before: float, after: float, parts: int) -> bool:
     """Whether progress has passed a multiple of `1 / parts`."""
     return math.floor(after * parts + 1e-9) > math.floor(before * parts + 1e-9)
-
-
-def _require_same(run: Path, there: dict[str, Any], wanted: dict[str, Any]) -> None:
-    """`CheckpointError` naming the first setting in which the run that is there differs."""
-    have, want = _flat(there), _flat(wanted)
-    for key in sorted(want):
-        if have.get(key) != want[key]:
-            raise CheckpointError(
-                f"{run} was started with {key} = {have.get(key)!r}, not {want[key]!r}; "
-                "use the same settings and data, or another folder"
-            )
-
-
-def _flat(value: Any, prefix: str = "") -> dict[str, Any]:
-    if not isinstance(value, dict) or not value:
-        return {prefix: value}
-    return {k: v for name, part in value.items() for k, v in _flat(part, f"{prefix}.{name}" if prefix else name).items()}
