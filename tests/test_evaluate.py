@@ -16,6 +16,7 @@ from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError
 from optimus.evaluate import evaluate, play, policy_folder, random_starts, validation_starts
+from optimus.evaluate.trials import _Witness
 from optimus.learn import checkpoint
 from optimus.rollout import rollout
 from optimus.statistics import wilson
@@ -55,23 +56,32 @@ def test_last_and_best_checkpoints_are_told_apart(taught: tuple[Path, Path], tmp
 
 
 def test_the_papers_rule_holds_once_the_goal_was_met_however_the_episode_ends() -> None:
-    """An agent that puts the cube down, lets go without leaving, and takes it away again: by the paper's rule a success."""
+    """An agent that puts the cube down, lets go without leaving, and takes it away again: by the paper's rule a success. If it only
+    stays, the cause of its failure says so."""
     env = ManipulationEnv(task("stack"), images=False)
     episode = demonstrate(env, 11, ExpertConfig()).episode
     assert episode is not None
     grip = episode.executed[:, -1] > 0
     opens = int(np.flatnonzero(grip[:-1] & ~grip[1:])[-1]) + 1
     stay, take, lift = (np.array([0, 0, up, 0, 0, 0, shut], np.float32) for up, shut in ((0, -1), (0, 1), (0.3, 1)))
-    actions = iter([*episode.executed[:opens], *[stay] * 25, *[take] * 8, *[lift] * 20])
+    staying = [*episode.executed[:opens], *[stay] * 25]
 
-    class Taking:
+    class Playing:
+        def __init__(self, actions: list[np.ndarray]) -> None:
+            self.actions = iter(actions)
+
         def act(self, observation: Observation) -> np.ndarray | None:
-            return next(actions, None)
+            return next(self.actions, None)
 
     seen, _ = env.reset(seed=11, options={"state": episode.initial_state})
-    taken = rollout(env, seen, Taking(), "taking")
+    taken = rollout(env, seen, Playing([*staying, *[take] * 8, *[lift] * 20]), "taking")
     assert taken.info["paper_success"] and not taken.success
     assert not env.problem.paper_success(env.state())
+    witness = _Witness()
+    seen, _ = env.reset(seed=11, options={"state": episode.initial_state})
+    stayed = rollout(env, seen, Playing(staying), "staying", watch=witness)
+    assert env.problem.paper_success(env.state()) and not stayed.success
+    assert witness.cause(env, stayed).startswith("put down on the goal, the hand still there")
 
 
 def test_validation_starts_are_those_of_the_demonstrations(taught: tuple[Path, Path]) -> None:

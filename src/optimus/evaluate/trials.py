@@ -66,6 +66,8 @@ class _Witness:
         state = env.state()
         if state.held is not None:
             what = "still holding at the end"
+        elif self.held and env.problem.paper_success(state):
+            what = "put down on the goal, the hand still there"
         else:
             what = "dropped or put down off the goal" if self.held else "never grasped"
         return what + (", standing still" if self.moved < 0.001 else "")
