@@ -121,8 +121,9 @@ class GradientWorkers:
                     trunk.compile(dynamic=False)
 
     def close(self) -> None:
-        """End the threads; what was set for all of the process is as it was."""
+        """End the threads and give back the recordings' memory; what was set for all of the process is as it was."""
         self._threads.shutdown()
+        self._recordings.clear()
         torch.set_float32_matmul_precision(self._before[0])
         torch.backends.cudnn.benchmark = self._before[1]
 
