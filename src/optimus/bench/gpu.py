@@ -32,7 +32,9 @@ from optimus.statistics import quantiles
 _EPISODES, _LENGTH = 20, 100
 _SECONDS = 1.5
 """Each way is timed for at least so long, after its first steps."""
-GPU_WAYS = 4
+_WAYS = (("last", "one by one"), ("last", "recorded"), ("last", "as trained"), ("all", "as trained"))
+"""Frames of a window whose labels are learned, and how a step is computed."""
+GPU_WAYS = len(_WAYS)
 """In which a step is timed."""
 _WARM_UP, _GROUP = 3, 5
 """Steps that are not counted, and steps timed as one."""
@@ -54,18 +56,14 @@ def bench_gpu_step(name: str, batch: int, seed: int, progress: Progress) -> dict
         shutil.rmtree(folder, ignore_errors=True)
     usual = usual_runtime(batch, "cuda")
     usual = replace(usual, compiled=usual.compiled and config.encoder.compiled)
-    plainer = replace(usual, recorded=False, compiled=False)
+    recorded = replace(usual, compiled=False)
+    runtimes = {"one by one": replace(recorded, recorded=False), "recorded": recorded, "as trained": usual}
     steps: dict[str, float] = {}
     memory: dict[str, float] = {}
-    for labels, way, runtime in (
-        ("last", "one by one", plainer),
-        ("last", "recorded", replace(usual, compiled=False)),
-        ("last", "as trained", usual),
-        ("all", "as trained", usual),
-    ):
+    for labels, way in _WAYS:
         torch.cuda.reset_peak_memory_stats()
         loss = LossConfig(runs=batch, supervise="all" if labels == "all" else "last", location_weight=0.0)
-        steps[f"{labels}, {way}"] = 1 / _seconds_a_step(name, source, loss, runtime, seed)
+        steps[f"{labels}, {way}"] = 1 / _seconds_a_step(name, source, loss, runtimes[way], seed)
         memory[f"{labels}, {way}"] = torch.cuda.max_memory_allocated() / 1e9
         progress(len(steps), len(steps))
     return {
