@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -221,6 +223,24 @@ def test_epochs_are_passes_over_the_training_episodes(dataset: Path, tmp_path: P
     assert steps == math.ceil(2.5 * actions / labels)
     train(dataset, tmp_path / "steps", replace(config, steps=int(steps), epochs=None), SMALL)
     assert_same_bits(tmp_path / "epochs", tmp_path / "steps")
+
+
+def test_the_first_demonstrations_alone_are_learned_from(dataset: Path, tmp_path: Path) -> None:
+    train(dataset, tmp_path / "first", replace(QUICK, demonstrations=2), SMALL)
+    # by itself: the same episodes, and nobody knows of the others
+    alone = tmp_path / "alone"
+    shutil.copytree(dataset, alone)
+    curation = json.loads((alone / "curation.json").read_text())
+    curation["train"] = curation["train"][:2]
+    (alone / "curation.json").write_text(json.dumps(curation))
+    train(alone, tmp_path / "run", QUICK, SMALL)
+    assert_same_bits(tmp_path / "first", tmp_path / "run")
+
+
+@pytest.mark.parametrize("count", [0, 4])
+def test_more_demonstrations_than_there_are_is_an_error(count: int, dataset: Path, tmp_path: Path) -> None:
+    with pytest.raises(DatasetError, match=f"has 3 demonstrations to train on, not {count}; ask for 1 to 3"):
+        train(dataset, tmp_path, replace(QUICK, demonstrations=count), SMALL)
 
 
 @given(steps=st.integers(2, 1000), left=st.floats(1, 100), pace=st.floats(0.01, 1), data=st.data())

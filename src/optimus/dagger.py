@@ -28,6 +28,7 @@ from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import evaluate, trained_robot, validation_starts
+from optimus.learn.begun import train_described
 from optimus.learn.policy import PolicyConfig
 from optimus.learn.train import Progress, TrainConfig, train
 
@@ -106,10 +107,11 @@ class _Rounds:
 
     def _go_on(self) -> None:
         there = json.loads(self.file.read_text())
+        begun = {**there["config"], "train": train_described(there["config"]["train"])}
         for key, wanted in self.report["config"].items():
-            if there["config"].get(key) != wanted:
+            if begun.get(key) != wanted:
                 raise DatasetError(
-                    f"{self.file} was begun with {key} = {there['config'].get(key)!r}, not {wanted!r}; "
+                    f"{self.file} was begun with {key} = {begun.get(key)!r}, not {wanted!r}; "
                     "use the same settings or another folder"
                 )
         self.report = there

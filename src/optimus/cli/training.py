@@ -25,6 +25,7 @@ def train(
     epochs: float | None = None,
     steps: int | None = None,
     seed: int = 0,
+    demonstrations: int | None = None,
     preset: PresetName = "quick",
     head: Literal["gmm", "gaussian", "mse", "flow", "bet"] | None = None,
     observe: Literal["images", "state"] = "images",
@@ -51,6 +52,7 @@ def train(
     Try:
         optimus train data/stack --out runs/stack --minutes 12
         optimus train data/stack --out runs/stack --epochs 20
+        optimus train data/stack --out runs/fifty --epochs 20 --demonstrations 50
         optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
         optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
@@ -63,6 +65,7 @@ def train(
         epochs: pass over the demonstrations this many times instead: no result depends on the machine's pace
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
+        demonstrations: learn from the first so many of each dataset alone, to see how many are needed; held out are the same ones
         preset: the network
         head: what answers, in place of the preset's own
         observe: see with cameras, or be told how the objects lie (the paper's ablation)
@@ -89,7 +92,7 @@ def train(
 
     chosen = chosen_preset(preset, head, observe)
     how = recipe or chosen.recipe
-    asked = Asked(minutes, epochs, steps, seed, how, batch, consecutive, labels, accumulate, ema, precision, device)
+    asked = Asked(minutes, epochs, steps, seed, demonstrations, how, batch, consecutive, labels, accumulate, ema, precision, device)
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
@@ -135,6 +138,7 @@ class Asked:
     epochs: float | None
     steps: int | None
     seed: int
+    demonstrations: int | None
     recipe: str
     batch: int | None
     consecutive: int
@@ -159,6 +163,7 @@ class Asked:
             epochs=base.epochs if self._how_long is None else self.epochs,
             minutes=base.minutes if self.minutes is None else self.minutes,
             seed=self.seed,
+            demonstrations=self.demonstrations,
             windows=self.consecutive,
             loss=loss,
             optimiser=optimiser,

@@ -25,6 +25,8 @@ class TrainConfig:
     minutes: float = 10.0
     """Time to train for, start-up included."""
     seed: int = 0
+    demonstrations: int | None = None
+    """Learn from the first so many of each data set alone; the held-out ones stay the same. If none, from all."""
     windows: int = 1
     """Consecutive windows in a run."""
     change_weight: float = 1.0

@@ -43,12 +43,13 @@ class Lessons:
     """What was learned from, JSON-able."""
 
     @classmethod
-    def of(cls, sources: Sources, cut: WindowConfig) -> Lessons:
-        """Open them; `DatasetError` if they do not fit together."""
+    def of(cls, sources: Sources, cut: WindowConfig, demonstrations: int | None = None) -> Lessons:
+        """Open them, and of each data set the first so many demonstrations to train on; `DatasetError` if they do not fit together,
+        or one has fewer."""
         stores = [EpisodeStore.open(path) for path in sources.datasets]
         if not stores:
             raise DatasetError("nothing to train on; name one dataset or several")
-        curations = [load_curation(store.path) for store in stores]
+        curations = [_shortened(load_curation(store.path), demonstrations, store.path) for store in stores]
         first = stores[0]
         for store in stores[1:]:
             _require_same_meaning(store, first)
@@ -63,6 +64,14 @@ class Lessons:
             first.config.get(POSITION_SCALE),
             _about(stores, len(curations[0].train) + len(train)),
         )
+
+
+def _shortened(curation: Curation, count: int | None, path: Path) -> Curation:
+    """With the first so many episodes to train on: fewer are among more, so that curves compare like with like."""
+    there = len(curation.train)
+    if count is not None and not 1 <= count <= there:
+        raise DatasetError(f"{path} has {there} demonstrations to train on, not {count}; ask for 1 to {there}, or collect more")
+    return replace(curation, train=curation.train[:count])
 
 
 def _rest(stores: Sequence[EpisodeStore], curations: Sequence[Curation], which: str) -> list[EpisodeHeader]:

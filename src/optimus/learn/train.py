@@ -108,7 +108,8 @@ class _Trainer:
         self.save_interval = self.least_save_interval = min(config.checkpoint_seconds, self.plan_interval)
         begun = checkpoint.load(sources.initial) if sources.initial else None
         policy_config = begun.config if begun else policy_config
-        lessons = Lessons.of(sources, policy_config.cut(config.windows, config.change_weight, config.change_reach))
+        cut = policy_config.cut(config.windows, config.change_weight, config.change_reach)
+        lessons = Lessons.of(sources, cut, config.demonstrations)
         self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
         inputs = PolicyInputs.of(lessons.task, self.windows)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
