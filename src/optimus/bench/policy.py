@@ -99,7 +99,8 @@ def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progr
         window = _window(frames[k + 1 - config.context : k + 1], config)
         expected = _timed(spent["plain"], partial(plain_action, plain, *window)).numpy()
         off = max([off, *(float(np.abs(answer - expected).max()) for answer in answers.values())])
-        progress(k + 1 - config.context, k)
+        done = k + 1 - config.context
+        progress(done, done)
     times = {way: quantiles(values[-rounds:], 95, scale=1e3) for way, values in spent.items()}
     result = {"preset": name, "parameters": policy.parameter_count, "threads": 1, "action_ms": times, "difference": off}
     for key, way in (("speedup", "newest_frame"), ("speedup_compiled", "compiled")):

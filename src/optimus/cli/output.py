@@ -86,7 +86,7 @@ def counter(bar: Any) -> Callable[[int, int], None]:
 
     def progress(done: int, successes: int) -> None:
         if done != successes:
-            bar.set_postfix(successes=successes)
+            bar.set_postfix(refresh=False, successes=successes)
         bar.n = done
         bar.refresh()
 
