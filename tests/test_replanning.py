@@ -101,6 +101,29 @@ def test_a_thing_that_was_dropped_is_picked_up_again(name: str, which: int) -> N
     assert attempt.info["stale_labels"] < 20
 
 
+def test_where_there_is_no_plan_any_more_it_goes_home() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=1)
+    home = Workspace(env.world).home.pos
+
+    def out_of_reach(add: NDArray, since: int) -> None:
+        if since == 0:
+            env.data.qpos[env.world.movable_qpos["cubeA"]] += 5.0
+            mujoco.mj_forward(env.world.model, env.data)
+
+    def low(env: ManipulationEnv) -> bool:
+        return bool(env.state().tcp.pos[2] < home[2] - 0.1)
+
+    def meddler(rng: np.random.Generator) -> Blunder:
+        return Blunder(env, low, out_of_reach)
+
+    attempt = demonstrate(env, 1, ExpertConfig(), meddler)
+    assert attempt.episode is not None and not attempt.success and attempt.info["stale_labels"] > 5
+    hand = attempt.episode.observations["robot0_eef_pos"]
+    assert np.linalg.norm(hand - home, axis=1).max() > 0.1
+    assert np.linalg.norm(hand[-1] - home) < 0.06
+
+
 @pytest.mark.parametrize("name", ["stack-three", "pick-place-two"])
 def test_a_thing_that_was_moved_is_looked_for_where_it_is(name: str) -> None:
     """Before its turn comes, while something else is carried: the plan is about where it was."""

@@ -11,7 +11,7 @@ from optimus.data.episode import Observation
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.lines import distance
-from optimus.motion.plan import Infeasible, Plan
+from optimus.motion.plan import Infeasible, Plan, Segment, Step
 from optimus.planner import Budget, solve
 from optimus.rollout import LAST_LOOK
 from optimus.se3 import Pose, error_between
@@ -20,6 +20,7 @@ from optimus.state import State
 
 EMPTY = "empty hand"
 MOVED = "something was moved"
+ASTRAY = "led astray"
 LOOK_AFTER = LAST_LOOK - 2
 """Steps after the plan's end in which what it let go may settle."""
 STAYED = 0.015
@@ -87,6 +88,7 @@ class ClosedLoop:
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
         """Whether something was in motion when it failed."""
+        self._astray = False
         self._follow(plan)
 
     def _follow(self, plan: Plan) -> None:
@@ -102,6 +104,16 @@ class ClosedLoop:
         """What it follows now."""
         return self._follower.plan
 
+    @property
+    def doing(self) -> tuple[Step, Segment] | None:
+        """The skill that it is at, and which of its motions; None when its plan is done."""
+        segment, done = self._follower.segment, self._follower.steps_done
+        return None if segment is None else (self.plan.steps[done], segment)
+
+    def give_up(self) -> None:
+        """The hand is where the plan is no answer, as only who led it there knows: plan again before the next one."""
+        self._astray = True
+
     def slack(self, steady: float) -> float:
         """See `PlanFollower.slack`."""
         return self._follower.slack(steady)
@@ -111,7 +123,11 @@ class ClosedLoop:
         if self._vain >= self._vigilance.vain:
             return None
         answer = self._follower.act(observation)
-        trouble = self._trouble(answer is None)
+        trouble, astray = self._trouble(answer is None), self._astray
+        self._astray = False
+        if astray:
+            self.retries += [ASTRAY] if self.retries[-1:] != [ASTRAY] else []
+            return self._plan_again(observation, answer)
         if self._wait > 0:
             self._wait = self._wait - 1 if self._in_motion() or not self._falling else 0
             return self._homewards() if self._wait > 0 else self._plan_again(observation, answer)
@@ -143,6 +159,8 @@ class ClosedLoop:
     def _solve(self, now: State) -> Plan | Infeasible:
         # what a plan leads to is at rest and untouched: it would inherit from its start what is measured there
         state = replace(now, touched=frozenset(), speeds={})
+        if state.held is None:
+            state = replace(state, opening=self._workspace.open_width)  # by a plan's first motion, whatever they shut on
         plan = solve(self._workspace, state, self._env.problem.goal, self._rng, self._budget)
         if isinstance(plan, Infeasible) and self._vigilance.others and state.held is not None:
             # somebody has taken it so that there is no going on, or where it still stands: let go, and take it as usual
@@ -159,7 +177,7 @@ class ClosedLoop:
         """Where there is no plan from here there may be one from home: slowly there, the hand open, until there is one. Things that
         still move have the time to come to rest."""
         self.stale += 1
-        twist = error_between(self._env.state().tcp, self._workspace.home)
+        twist = error_between(self._workspace.home, self._env.state().tcp)
         twist[:3] *= min(1.0, HOMEWARDS / max(1e-9, float(np.linalg.norm(twist[:3]))))
         twist[3:] *= min(1.0, HOMEWARDS_TURN / max(1e-9, float(np.linalg.norm(twist[3:]))))
         arm = self._env.controller.action_for(twist, self._env.data)
