@@ -5,9 +5,9 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from optimus.conditions import PERTURBATIONS, PUSH_SPEED, SLIP_STEPS, USUAL, Conditions, Mishap
+from optimus.conditions import PUSH_SPEED, SLIP_STEPS, USUAL, Conditions, Mishap
 from optimus.data.episode import MISHAP
-from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
+from optimus.demonstrate import MISHAPS, Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import OptimusError, UnknownNameError
 from optimus.tasks import task
@@ -57,20 +57,41 @@ def test_what_slips_falls_freely_and_the_expert_takes_it_again() -> None:
 
 def test_a_share_of_the_demonstrations_has_mishaps() -> None:
     half = ExpertConfig(mishaps=0.5)
-    kinds = Counter(half.mishap(seed).kind for seed in range(400))
-    assert kinds.keys() == {None, *PERTURBATIONS} and 160 < kinds[None] < 240
-    assert abs(kinds["push"] - kinds["slip"]) < 60
-    assert {ExpertConfig().mishap(seed).kind for seed in range(20)} == {None}
+    kinds = Counter(half.mishap(seed) for seed in range(400))
+    assert kinds.keys() == {None, "push", "slip", "miss"} and 160 < kinds[None] < 240
+    assert max(kinds[kind] for kind in MISHAPS) - min(kinds[kind] for kind in MISHAPS) < 50
+    assert {ExpertConfig().mishap(seed) for seed in range(20)} == {None}
 
 
 def test_a_demonstration_says_what_happened_in_it() -> None:
     always = ExpertConfig(mishaps=1.0)
-    seed = next(seed for seed in range(10) if always.mishap(seed).kind == "slip")
+    seed = next(seed for seed in range(20) if always.mishap(seed) == "slip")
     attempt = demonstrate(ManipulationEnv(task("stack"), images=False), seed, always)
     expected, mishap, _, _ = played(seed, Conditions("slip"))
     assert attempt.episode is not None and expected.episode is not None
     np.testing.assert_array_equal(attempt.episode.states, expected.episode.states)
     assert attempt.info[MISHAP] == {"kind": "slip", "at": mishap.at}
+
+
+@pytest.mark.parametrize(("name", "control"), [("stack", "osc"), ("pick-place", "joint")])
+def test_a_grasp_that_misses_shuts_beside_the_thing_and_the_expert_takes_it(name: str, control: str) -> None:
+    always = ExpertConfig(mishaps=1.0)
+    for seed in [seed for seed in range(30) if always.mishap(seed) == "miss"][:3]:
+        env = ManipulationEnv(task(name), images=False, control=control)
+        attempt = demonstrate(env, seed, always)
+        episode, at = attempt.episode, attempt.info[MISHAP]["at"]
+        assert episode is not None and attempt.success, attempt.failure
+        hand, fingers = episode.observations["robot0_eef_pos"], np.abs(episode.observations["robot0_gripper_qpos"]).sum(1)
+        told = episode.executed[:, -1] > 0
+        shut = next(step for step in range(at, len(told)) if told[step] and not told[step + 1]) + 1
+        thing = episode.objects[0, 0]
+        np.testing.assert_allclose(episode.objects[shut, 0], thing, atol=0.01)  # nobody touched it
+        assert fingers[shut] < 0.035  # shut further than on anything that there is to take
+        aside = float(np.linalg.norm(hand[shut, :2] - thing[:2]))
+        assert 0.03 < aside < 0.08 and hand[shut, 2] < thing[2] + 0.06
+        # the answer from where it was led, and after: to open the hand, and up before anything else
+        assert (episode.actions[at : shut + 3, -1] == -1.0).all()
+        assert hand[shut + 6, 2] > hand[shut, 2] + 0.01
 
 
 def test_the_same_seed_has_the_same_mishap() -> None:

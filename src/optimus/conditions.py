@@ -98,7 +98,8 @@ class Mishap:
     def __init__(self, kind: Perturb | None, rng: np.random.Generator) -> None:
         self.at: int | None = None
         """The step at which it happened; None as long as it has not."""
-        self.kind, self._rng = kind, rng
+        self.kind: Perturb | None = kind
+        self._rng = rng
         low, high = PUSH_AT if kind == "push" else SLIP_AFTER
         self._wait = int(rng.integers(low, high + 1))
         self._step = self._held = 0

@@ -5,21 +5,26 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from optimus.closed_loop import ALONE, SHARED, ClosedLoop
-from optimus.conditions import PERTURBATIONS, Conditions, Mishap
+from optimus.conditions import Conditions, Mishap
 from optimus.data.episode import MISHAP, Episode, Observation
 from optimus.env import ManipulationEnv
 from optimus.errors import OptimusError
 from optimus.expert import TimeLaw
+from optimus.missed import MissedGrasp
 from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
 from optimus.rollout import Meddler, Perturbation, Pushes, rollout
 from optimus.skills import Style, Workspace
 from optimus.validate import validate
+
+MishapKind = Literal["push", "slip", "miss"]
+MISHAPS: tuple[MishapKind, ...] = get_args(MishapKind)
+"""`push` and `slip` happen to things (`optimus.conditions`), `miss` to the hand (`optimus.missed`)."""
 
 INVALID = "invalid plan"
 """How the failure of an attempt begins whose plan did not stand up to the check."""
@@ -40,7 +45,7 @@ class ExpertConfig:
     check: bool = False
     """Have every plan validated before it is carried out; an invalid one is a failure."""
     mishaps: float = 0.0
-    """Share of the episodes in which a thing is pushed or slips, as `optimus.conditions` does it."""
+    """Share of the episodes in which a thing is pushed or slips, as `optimus.conditions` does it, or a grasp misses."""
 
     def __post_init__(self) -> None:
         if not 0.0 <= self.mishaps <= 1.0:
@@ -59,11 +64,11 @@ class ExpertConfig:
             value.get("mishaps", 0.0),
         )
 
-    def mishap(self, seed: int) -> Mishap:
+    def mishap(self, seed: int) -> MishapKind | None:
         """What is going to happen in the episode of that seed: perhaps nothing."""
         rng = np.random.default_rng([seed, 5])
         happens = rng.random() < self.mishaps
-        return Conditions(PERTURBATIONS[int(rng.integers(len(PERTURBATIONS)))] if happens else None).mishap(seed)
+        return MISHAPS[int(rng.integers(len(MISHAPS)))] if happens else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,10 +128,11 @@ def demonstrate(
     """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
 
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
-    `mishap` changes the world; by default, that of `config` for this seed. With either, the expert looks whether things still
-    are where its plan supposes them.
+    `mishap` changes the world; by default, that of `config` for this seed, which may be a grasp that misses. With any of them, the
+    expert looks whether things still are where its plan supposes them.
     """
-    mishap = mishap or config.mishap(seed)
+    kind: MishapKind | None = mishap.kind if mishap is not None else config.mishap(seed)
+    mishap = mishap or Conditions(None if kind == "miss" else kind).mishap(seed)
     observation, info = env.reset(seed=seed)
     planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
     plan, seconds = planned.plan, planned.seconds
@@ -136,21 +142,24 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    vigilance = ALONE if meddler is None and not mishap.kind else SHARED
+    vigilance = ALONE if meddler is None and kind is None else SHARED
     expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
         pushes = meddler(pushing)
 
     steady = 0.0 if config.perturbation is None else config.perturbation.steady
+    missed = MissedGrasp(np.random.default_rng([seed, 6]), env, expert) if kind == "miss" else None
 
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
-        return None if pushes is None else pushes.next(seen, label, expert.slack(steady))
+        astray = None if missed is None else missed.next(label)
+        return astray if astray is not None or pushes is None else pushes.next(seen, label, expert.slack(steady))
 
     episode = rollout(env, observation, expert, "expert", push, mishap)
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
-    if mishap.at is not None:
-        info[MISHAP] = {"kind": mishap.kind, "at": mishap.at}
+    at = mishap.at if missed is None else missed.at
+    if at is not None:
+        info[MISHAP] = {"kind": kind, "at": at}
     episode = replace(episode, skeleton=plan.skeleton, info=info)
     return Attempt(seed, episode, episode.failure, seconds, episode.info, expert.errors)
 

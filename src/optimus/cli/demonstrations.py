@@ -67,7 +67,8 @@ def collect(
         episodes: successful demonstrations wanted
         images: render what the cameras see; without, `optimus render` can do so later, exactly alike
         perturb: push the arm off its path now and then, the label staying the expert's own answer
-        mishaps: share of the episodes in which a thing is pushed or slips out of the hand, so that the way back is learned too
+        mishaps: share of the episodes in which a thing is pushed, slips out of the hand, or is missed by a grasp, so that the way
+            back is learned too
         gripper: told to be open or shut, or led from one to the other over the stall
         stall: steps for which the gripper alone acts at a grasp or a release
         grasps: grasps and placements in a fixed order, the least turned first, or at random
