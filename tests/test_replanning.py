@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import reduce
+from operator import matmul
 
 import mujoco
 import numpy as np
@@ -18,6 +20,7 @@ from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower
 from optimus.motion.plan import Plan
 from optimus.planner import solve
+from optimus.se3 import Pose
 from optimus.skills import Workspace
 from optimus.tasks import task
 
@@ -99,6 +102,32 @@ def test_a_thing_that_was_dropped_is_picked_up_again(name: str, which: int) -> N
     assert max(blunder.alike.values()) > 0.99, blunder.alike
     assert attempt.success, attempt.failure
     assert attempt.info["stale_labels"] < 20
+
+
+@pytest.mark.parametrize("roll", [0.0, 0.7])
+@pytest.mark.parametrize(("name", "thing"), [("pick-place", "object"), ("pick-place-two", "vase")])
+def test_a_thing_that_fell_over_is_taken_as_it_lies(name: str, thing: str, roll: float) -> None:
+    """A body of revolution on its side, turned about its axis somehow."""
+    env = ManipulationEnv(task(name), images=False)
+    reached = 0
+    for seed, heading in ((3, 0.5), (5, 2.0), (6, -1.5)):
+
+        def knock_over(add: NDArray, since: int, heading: float = heading) -> None:
+            if since == 0:
+                turns = ((0.0, 0.0, heading), (np.pi / 2, 0.0, 0.0), (0.0, 0.0, roll))
+                lying = reduce(matmul, (Pose.of(rotvec=turn) for turn in turns))
+                at = env.world.movable_qpos[thing]
+                env.data.qpos[at + 2] += 0.01
+                env.data.qpos[at + 3 : at + 7] = lying.quat
+                mujoco.mj_forward(env.world.model, env.data)
+
+        def make(rng: np.random.Generator, knock_over: Callable[[NDArray, int], None] = knock_over) -> Blunder:
+            return Blunder(env, lambda env: True, knock_over)
+
+        env.reset(seed=seed)
+        assert env.world.scene.shape_of(thing).symmetric
+        reached += demonstrate(env, seed, ExpertConfig(), make).success
+    assert reached >= 2  # it may roll away
 
 
 def test_where_there_is_no_plan_any_more_it_goes_home() -> None:

@@ -11,7 +11,10 @@ import numpy as np
 
 from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
-from optimus.predicates import facts_of, holds
+from optimus.objects.shapes import stands, unrolled
+from optimus.predicates import On, facts_of, holds
+from optimus.scene import Scene
+from optimus.se3 import Pose
 from optimus.skills import SKILLS, Workspace
 from optimus.skills.pick import Pick
 from optimus.skills.place import Place
@@ -158,7 +161,8 @@ def solve(
     budget = budget or Budget()
     began = time.process_time()
     workspace.deadline = began + budget.seconds
-    facts, learned = facts_of(workspace.scene, state), frozenset()
+    state = _as_seen(workspace, state)
+    facts, learned = _facts(workspace.scene, state), frozenset()
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
@@ -180,6 +184,37 @@ def solve(
         last = _explain(binding)
         learned = learned | _lesson(binding, workspace, learned)
     return last
+
+
+def _as_seen(workspace: Workspace, state: State) -> State:
+    """Of a body of revolution that lies on its side, the turn about its axis is unknown, and might as well be none."""
+    scene = workspace.scene
+    lying = [n for n, pose in state.poses.items() if scene.shape_of(n).symmetric and not stands(pose)]
+    for name in lying:
+        state = state.moved(name, unrolled(state.poses[name]))
+        if state.held is not None and state.held.name == name:
+            state = replace(state, held=replace(state.held, tcp_from_object=state.tcp.inverse @ state.poses[name]))
+    return state
+
+
+def _facts(scene: Scene, state: State) -> Facts:
+    """All that holds; and that what leans on something, or lies across an edge, is on the fixture below it: it can be taken from
+    there."""
+    facts = facts_of(scene, state)
+    resting = {atom.args[0] for atom in facts if atom.predicate == On.name}
+    loose = [name for name in state.poses if name not in resting and (state.held is None or state.held.name != name)]
+    return facts | {On(name, below) for name in loose for below in _below(scene, state.poses[name])}
+
+
+def _below(scene: Scene, pose: Pose) -> list[str]:
+    """The fixture that a thing falls on, if any does: the highest surface under it."""
+    heights: dict[str, float] = {}
+    for fixture in scene.fixtures:
+        if (surface := fixture.shape.surface) is not None:
+            local = scene.fixture_poses[fixture.name].inverse.transform(pose.pos)
+            if abs(local[0]) <= surface.half_x and abs(local[1]) <= surface.half_y and local[2] > surface.z:
+                heights[fixture.name] = float(pose.pos[2] - local[2]) + surface.z
+    return sorted(heights, key=lambda name: -heights[name])[:1]
 
 
 def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skeleton | None:

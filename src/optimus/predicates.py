@@ -33,12 +33,10 @@ def _on(scene: Scene, state: State, thing: str, support: str) -> bool:
     if surface is None or _holding(scene, state, thing):
         return False
     pose, under = state.poses[thing], pose_of(scene, state, support)
-    upright = abs(pose.matrix[2, 2])
-    half = scene.shape_of(thing).half_extents
-    if max(np.abs(pose.matrix[2])) < UPRIGHT or under.matrix[2, 2] < UPRIGHT:
+    shape = scene.shape_of(thing)
+    if shape.level(pose.matrix) < UPRIGHT or under.matrix[2, 2] < UPRIGHT:
         return False
-    # which of the thing's own axes points up says which half extent it stands on
-    height = half[2] if upright >= UPRIGHT else float(np.abs(pose.matrix[2]) @ np.array(half))
+    height = shape.half_extents[2] if abs(pose.matrix[2, 2]) >= UPRIGHT else shape.above(pose.matrix)
     local = under.inverse.transform(pose.pos)
     inside = abs(local[0]) <= surface.half_x and abs(local[1]) <= surface.half_y
     return bool(inside and abs(local[2] - height - surface.z) < REST_GAP)

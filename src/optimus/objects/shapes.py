@@ -15,6 +15,9 @@ from optimus.se3 import Array, Pose, quat_from_matrix
 SECTORS = 12
 """Bodies of revolution are made of that many equal ones: a turn by one changes nothing, in physics either."""
 
+STANDS = 0.7
+"""A thing whose axis is this near to the vertical stands, another lies: the cosine between the two."""
+
 Vec3 = tuple[float, float, float]
 Rgba = tuple[float, float, float, float]
 
@@ -96,6 +99,36 @@ class Shape:
     verified: bool = False
     """Each grasp was tried as it stands, from above or leaning; otherwise a grasp may be turned about the line on which the fingers
     close."""
+
+    def above(self, rotation: Array) -> float:
+        """How far its centre is above its lowest point when it is turned by `rotation` `(3, 3)` [m]: of the bounding box or, of a
+        body of revolution, of the bounding cylinder."""
+        if not self.symmetric:
+            return float(np.abs(rotation[2]) @ np.array(self.half_extents))
+        up = min(1.0, abs(float(rotation[2, 2])))
+        return self.half_extents[0] * float(np.sqrt(1.0 - up * up)) + self.half_extents[2] * up
+
+    def level(self, rotation: Array) -> float:
+        """How nearly it stands, or lies, flat when it is turned by `rotation` `(3, 3)`: the cosine of what is missing."""
+        if not self.symmetric:
+            return float(np.abs(rotation[2]).max())
+        up = min(1.0, abs(float(rotation[2, 2])))
+        return max(up, float(np.sqrt(1.0 - up * up)))
+
+
+def stands(pose: Pose) -> bool:
+    """Whether a thing stands, or stands on its head, rather than lies on its side."""
+    return abs(float(pose.matrix[2, 2])) > STANDS
+
+
+def unrolled(pose: Pose) -> Pose:
+    """Where a body of revolution lies, whatever its turn about its own axis, z: its second axis is level, so that fingers which
+    shut along that one reach it from above."""
+    axis = pose.matrix[:, 2]
+    level = np.array([-axis[1], axis[0], 0.0]) / np.hypot(axis[0], axis[1])
+    matrix = np.zeros((3, 3))
+    matrix[:, 0], matrix[:, 1], matrix[:, 2] = np.cross(level, axis), level, axis
+    return Pose.from_matrix(pose.pos, matrix)
 
 
 def top_grasp(yaw: float, z: float, x: float = 0.0, y: float = 0.0) -> Grasp:

@@ -76,14 +76,13 @@ class Place:
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
         if _heading(hand) is not None:  # leaning into something: never from behind
             turns = [0.0, 0.4, -0.4, 0.8, -0.8]
-        half = np.array(workspace.scene.shape_of(thing).half_extents)
+        shape = workspace.scene.shape_of(thing)
         for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
             for yaw in workspace.order(turns, rng):
                 quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
                 # the thing, not the tcp, goes over the spot
                 put = Pose(np.zeros(3), quat) @ state.held.tcp_from_object
-                above = np.abs(put.matrix[2]) @ half + RELEASE_GAP
-                yield Pose(point - put.pos + (0.0, 0.0, above), quat)
+                yield Pose(point - put.pos + (0.0, 0.0, shape.above(put.matrix) + RELEASE_GAP), quat)
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
         """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the whole ways there."""

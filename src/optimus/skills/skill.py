@@ -103,7 +103,7 @@ class Workspace:
     def top_of(self, state: State, name: str) -> float:
         """The height of a movable's highest point [m], by its bounding box."""
         pose = state.poses[name]
-        return float(pose.pos[2] + np.abs(pose.matrix[2]) @ np.array(self.scene.shape_of(name).half_extents))
+        return float(pose.pos[2]) + self.scene.shape_of(name).above(pose.matrix)
 
     def motion(self, name: str, q: Array, poses: tuple[Pose, ...], shut: bool, speed: float = FASTEST) -> Segment:
         """A segment no faster than the joints allow, nor than `speed` [m/s]."""
