@@ -32,10 +32,11 @@ def what_was_done(out: Path) -> dict[str, bytes]:
 
 def test_from_the_task_to_a_report(tmp_path: Path) -> None:
     stages: list[str] = []
-    config = RunConfig("pick-place", tmp_path / "out", minutes=0.8, demonstrations=12, episodes=2, corrections=True)
+    config = RunConfig("pick-place", tmp_path / "out", minutes=0.8, demonstrations=12, episodes=2, corrections=True, mishaps=0.5)
     first = run(config, lambda stage, done, total, notes: stages.append(stage))
     assert list(dict.fromkeys(stages)) == ["collect", "first policy", "correct", "train", "evaluate"]
     assert first["evaluation"]["episodes"] == 2 and len(first["evaluation"]["interval"]) == 2
+    assert EpisodeStore.open(config.out / "data").config["expert"]["mishaps"] == 0.5
     page = Path(first["report"]).read_text()
     assert "<html" in page and "data:video/mp4" in page and "https://" not in page
     done = what_was_done(config.out)

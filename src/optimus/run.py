@@ -71,6 +71,8 @@ class RunConfig:
     """How actions move the arm; a name of `optimus.control`."""
     robot: Robot | None = None
     """Takes the place of the task's own."""
+    mishaps: float = 0.0
+    """Share of the demonstrations in which something happens that the expert makes good; see `ExpertConfig`."""
 
     @property
     def about(self) -> dict[str, Any]:
@@ -93,7 +95,7 @@ class Journal:
         self.value: dict[str, Any] = {"config": asked, "versions": installed_versions(), "seconds": {}}
         if self.path.exists():
             there = json.loads(self.path.read_text())
-            there["config"] = {"control": OSC, "robot": TASKS_OWN, **there["config"]}
+            there["config"] = {"control": OSC, "robot": TASKS_OWN, "mishaps": 0.0, **there["config"]}
             for key, wanted in asked.items():
                 if there["config"].get(key) != wanted:
                     raise DatasetError(
@@ -177,6 +179,7 @@ def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collecte
     wanted = CollectConfig(
         config.task, data, config.wanted, config.seed, config.workers, control=config.control, robot=config.robot
     )
+    wanted = replace(wanted, expert=replace(wanted.expert, mishaps=config.mishaps))
     return collect(wanted, lambda tally: progress("collect", tally.successes, config.wanted, {}))
 
 

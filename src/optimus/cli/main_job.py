@@ -17,6 +17,7 @@ def run(
     seed: int = 0,
     workers: Workers = 0,
     corrections: bool = True,
+    mishaps: float = 0.0,
     control: ControlName = "osc",
     robot: RobotName = None,
     objects: ObjectsName = None,
@@ -26,6 +27,7 @@ def run(
 
     Try:
         optimus run pick-place --minutes 20 --out runs/pick-place
+        optimus run pick-place --minutes 20 --out runs/hardy --mishaps 0.5    (a policy that takes again what slipped)
         optimus run stack --minutes 30 --out runs/ur5e --robot ur5e --control joint
 
     Args:
@@ -34,6 +36,7 @@ def run(
         demonstrations: how many to collect; by default what the budget allows
         episodes: evaluation episodes
         seed: of the first demonstration (the next ones follow), of the training and of the evaluation
+        mishaps: share of the demonstrations in which a thing is pushed, slips or is missed by a grasp, as `optimus collect` has it
         corrections: spend half of the training on a first policy, and then learn from the expert's answers to its mistakes
     """
     from optimus.run import RunConfig
@@ -41,7 +44,7 @@ def run(
     from optimus.tasks import with_objects
 
     arm, name = chosen_robot(robot), with_objects(task, objects)
-    config = RunConfig(name, out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm)
+    config = RunConfig(name, out, minutes, demonstrations, episodes, seed, workers, corrections, control, arm, mishaps)
     bars = StageBars()
     result = run_all(config, bars)
     bars.close()
