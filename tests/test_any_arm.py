@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -132,6 +133,18 @@ def test_an_mjcf_tells_what_we_know_of_the_panda(tmp_path: Path) -> None:
     assert replace(same, camera_pos=PANDA.camera_pos, camera_target=PANDA.camera_target) == PANDA
     attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=read), 1, ExpertConfig())
     assert attempt.success, attempt.failure  # with the numeric search, in spite of the redundant joint
+
+
+def test_a_joint_of_an_mjcf_that_turns_without_end_turns_far_enough(tmp_path: Path) -> None:
+    model = shutil.copytree(fetch(), tmp_path / "panda") / "panda.xml"
+    text = model.read_text()
+    assert text.count('name="joint7"') == 1
+    model.write_text(text.replace('name="joint7"', 'name="joint7" limited="false"'))
+    file = panda_file(tmp_path)
+    file.write_text(file.read_text().replace(str(fetch() / "panda.xml"), str(model)))
+    arm = Kinematics(compile_scene(task("stack").problem(0, read_robot(file)).scene))
+    np.testing.assert_allclose((arm.low[-1], arm.high[-1]), (-2 * np.pi, 2 * np.pi), atol=0.05)
+    assert np.all(arm.low < arm.high)
 
 
 def test_fingers_open_where_they_are_furthest_apart_and_move_alike(ur5e: Robot) -> None:

@@ -23,11 +23,11 @@ from optimus.learn.presets import PRESETS
 from optimus.learn.shrink import shrink
 from optimus.reproduce import BUDGETS, TABLES, Site, budget, reproduce
 from optimus.reproduce import engine as engine_module
-from optimus.reproduce.site import slug
 from optimus.reproduce.tables import Cell, Table, papers_figures
 from optimus.reproduce.work import Data, ExpertWork, Lesson, PolicyWork, Trial
 from optimus.statistics import wilson
 from optimus.tasks import TASKS, task
+from optimus.words import slug
 
 SMALL = Table(
     "table-b2",

@@ -147,12 +147,12 @@ class ClosedLoop:
             if not self._vigilance.others:
                 return answer
             self._falling = self._in_motion()
-            if not self._falling:
+            if not self._falling and self._wait == 0:  # who is led astray asks more often than it is worth trying
                 home = distance(self._env.state().tcp, self._workspace.home) < AT_HOME
                 self._vain += self._vigilance.vain // 2 if home else 1
             self._wait = self._vigilance.patience
             return self._homewards()
-        self._vain = 0
+        self._vain = self._wait = 0
         self._follow(plan)
         return self._follower.act(observation)
 

@@ -160,7 +160,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     robot = task.robot_record(config.robot)
     require_backend(config.backend)
     if config.turns is not None:
-        require_same_arm(config.turns, task, control, robot)
+        require_same_arm(config.turns, task, control, robot, config.expert.law.gripper)
         if not config.images and not is_told(config.turns.policy):
             raise CheckpointError("a policy looks at images: corrections cannot be collected without them")
     cameras = compile_scene(task.problem(config.seed, config.robot).scene).image_cameras if config.images else ()

@@ -49,10 +49,10 @@ def _agent(run: Path) -> PolicyAgent:
     # imported here: collecting without a policy needs no torch
     import torch
 
-    from optimus.learn.agent import PolicyAgent
+    from optimus.learn.agent import trained_agent
 
     torch.set_num_threads(1)
-    return PolicyAgent(run)
+    return trained_agent(run)
 
 
 @lru_cache(maxsize=1)
@@ -63,11 +63,13 @@ def is_told(run: Path) -> bool:
     return checkpoint.load(run).inputs.told
 
 
-def require_same_arm(turns: Turns, task: Task, control: str, robot: str) -> None:
-    """`CheckpointError` if the policy that is to act was trained for another way of control, or with another robot (`robot` as
-    records have it)."""
+def require_same_arm(turns: Turns, task: Task, control: str, robot: str, gripper: str) -> None:
+    """`CheckpointError` if the policy that is to act was trained for another way of control, another use of the gripper, or with
+    another robot (`robot` as records have it)."""
     from optimus.learn import checkpoint
 
+    if (learned := checkpoint.gripper_of(turns.policy)) != gripper:
+        raise CheckpointError(f"{turns.policy} was trained with gripper {learned!r}, not {gripper!r}; name another run, or that")
     trained_with = checkpoint.load(turns.policy, control=control).inputs.robot
     if trained_with != robot:
         have, wanted = task.robot_text(trained_with), task.robot_text(robot)

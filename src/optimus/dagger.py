@@ -134,7 +134,7 @@ class _Rounds:
         row = {
             "round": number,
             "policy": str(self.policy(number).relative_to(self.run)),
-            "demonstrations": len(curation.train) + number * self.config.episodes,
+            "demonstrations": (self.lesson.demonstrations or len(curation.train)) + number * self.config.episodes,
             **added,
             "success": self._evaluate(number),
         }

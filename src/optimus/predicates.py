@@ -59,7 +59,10 @@ def _released(scene: Scene, state: State, thing: str) -> bool:
         return False
     if state.speeds.get(thing, 0.0) > REST_SPEED:
         return False
-    local = np.abs(state.poses[thing].inverse.transform(state.tcp.pos)) - np.array(scene.shape_of(thing).half_extents)
+    shape, at = scene.shape_of(thing), state.poses[thing].inverse.transform(state.tcp.pos)
+    if shape.symmetric:  # however it is turned about its axis
+        at = np.array([np.hypot(at[0], at[1]), 0.0, at[2]])
+    local = np.abs(at) - np.array(shape.half_extents)
     return bool(np.linalg.norm(np.maximum(local, 0.0)) >= HAND_CLEAR)
 
 

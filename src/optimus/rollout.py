@@ -196,7 +196,7 @@ def rollout(
     while not (success or truncated or idle >= LAST_LOOK):
         watch(env)
         action = agent.act(observation)
-        idle += action is None
+        idle = idle + 1 if action is None else 0
         if action is None:
             still[GRIPPER] = log.actions[-1][GRIPPER] if log.actions else -1.0
         label = still.copy() if action is None else action

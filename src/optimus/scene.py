@@ -40,6 +40,10 @@ class Fixture:
         found = []
         for part in self.shape.parts:
             turn = self.pose @ Pose(np.array(part.pos), np.array(part.quat))
+            if part.mesh is not None:
+                points = turn.transform(part.mesh.vertices)
+                found.append((points.min(0), points.max(0)))
+                continue
             size = {"box": part.size, "cylinder": (part.size[0], part.size[0], part.size[-1]), "sphere": (part.size[0],) * 3}
             half = np.abs(turn.matrix) @ np.array(size[part.kind])
             found.append((turn.pos - half, turn.pos + half))
@@ -169,6 +173,6 @@ class Scene:
             local = door.pose(0.0).inverse.transform(point)
             reach = door.shape.half_extents[1] * 2 + HAND_REACH + radius
             # towards the arm is -x of the door's frame; a hand's breadth behind the hinge's line still counts
-            if float(np.hypot(*local[:2])) < reach and local[0] < 0.0 and local[1] * door.bar.pos[1] > -HAND_REACH:
+            if float(np.hypot(*local[:2])) < reach and local[0] < 0.0 and local[1] * np.sign(door.bar.pos[1]) > -HAND_REACH:
                 return True
         return False

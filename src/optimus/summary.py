@@ -92,7 +92,7 @@ def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
     for video in sorted(folder.glob("*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
         kind, index, seed = video.stem.split("-")
         outcome = evaluation["outcomes"][int(index)] if int(index) < len(evaluation["outcomes"]) else None
-        if outcome is None or str(outcome["seed"]) != seed:
+        if outcome is None or str(outcome["seed"]) != seed or outcome["success"] != (kind == "success"):
             continue  # of another evaluation
         films.append(FilmedEpisode(caption_of(outcome), video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
     return films
@@ -105,7 +105,7 @@ def _film(filmed: FilmedEpisode) -> Film:
 def _command(asked: dict[str, Any]) -> str:
     """What to type for such a run; a robot that a file describes by its name alone."""
     words = f"optimus run {asked['task']} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}"
-    usual = {"control": OSC, "robot": TASKS_OWN}
+    usual = {"control": OSC, "robot": TASKS_OWN, "mishaps": 0.0}
     return words + "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
 
 

@@ -6,6 +6,7 @@ Left and right are the robot's own (the base frame's +y is left), near and far a
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
@@ -152,3 +153,8 @@ def _contains(shape: Shape) -> bool:
 
 def _wish(atom: Atom, names: Mapping[str, str]) -> str:
     return SENTENCES.get(atom.predicate, f"make true: {atom}").format(*(names[a] for a in atom.args))
+
+
+def slug(text: str) -> str:
+    """A name for a file or folder."""
+    return re.sub(r"[^a-z0-9@.=+]+", "-", text.lower()).strip("-")

@@ -66,7 +66,7 @@ def evaluate(
         checkpoint: the last one, the one of the lowest held-out error, or both, one after the other
         seed: of the policy's draws, and of random states
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
-        videos: write short films of successes and failures to this folder
+        videos: write short films of successes and failures to this folder (with --checkpoint both, to `last` and `best` in it)
         horizon: most steps of an episode, where that is fewer than the task's own
         compile: have PyTorch compile the network first: a minute in each process, then faster answers, equal but for rounding
     """
@@ -87,12 +87,14 @@ def evaluate(
         trained_for = checkpoints.load(folder, task).inputs.task
         starts = _starts(folder, states, dataset, episodes, seed, objects, task) * repeats
         with bar(len(starts), f"evaluate {trained_for} ({which})", "episode") as shown:
-            report = evaluation.evaluate(folder, starts, states, seed, workers, component, counter(shown), arm, conditions, compile)
+            label = evaluation.states_label(states, task, objects)
+            report = evaluation.evaluate(folder, starts, label, seed, workers, component, counter(shown), arm, conditions, compile)
         report.write(folder)
         write_card(folder)
         results[which] = report.as_dict()
         if videos is not None:
-            film_outcomes(folder, starts, results[which], seed, component, videos, arm, conditions=conditions)
+            films = videos / which if checkpoint == "both" else videos
+            film_outcomes(folder, starts, results[which], seed, component, films, arm, conditions=conditions)
     text = "\n".join(f"{which}: {rate(r)}; failures: {counts(r['failures'])}" for which, r in results.items())
     said = results if checkpoint == "both" else results[checkpoint]
     say({"run": str(run), **said}, json, text if checkpoint == "both" else text.partition(": ")[2])

@@ -204,7 +204,7 @@ def _training(bar: Any) -> Callable[[Progress], None]:
 
 def _curate_if_needed(dataset: Path) -> None:
     """Curate, unless it has been done and every episode was there then."""
-    from optimus.data.curate import curate, load_curation
+    from optimus.data.curate import CurationConfig, curate, load_curation
     from optimus.data.store import EpisodeStore
     from optimus.errors import DatasetError
 
@@ -213,6 +213,6 @@ def _curate_if_needed(dataset: Path) -> None:
         known = load_curation(dataset)
         if set(known.kept) | set(known.dropped) == set(store.seeds):
             return
-    except DatasetError:
-        pass
-    curate(dataset)
+        curate(dataset, CurationConfig(**known.config))  # by the rules that were asked for
+    except (DatasetError, TypeError):  # none yet, or rules of another program's
+        curate(dataset)

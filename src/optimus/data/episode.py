@@ -31,7 +31,9 @@ def arm_parts(control: str, size: int) -> tuple[slice, ...]:
 
 
 MISHAP = "mishap"
-"""In `Episode.info`, where a thing was pushed or slipped: the `kind` of it, as in `optimus.conditions`, and `at` which step."""
+"""In `Episode.info`, where a thing was pushed, slipped or was missed: its `kind` (`optimus.demonstrate`), and `at` which step."""
+IMPORTED = "imported"
+"""The setting of a data set that says of which format it came."""
 INSTRUCTION = "instruction"
 """In an episode's `info`: what was wanted, in plain English; episodes of older data sets have none."""
 

@@ -155,7 +155,8 @@ def _uses(header: EpisodeHeader, units: Array) -> list[_Steps]:
     opening = np.abs(header.read("obs.robot0_gripper_qpos")).sum(axis=1)
     uses, begin, at, held = [], 0, -1, -1
     begins = [int(i) + 1 for i in np.flatnonzero(np.diff(shut))]
-    for number, (use, following) in enumerate(zip([*begins, len(tcp)], [*begins[1:], len(tcp), len(tcp)], strict=True)):
+    ends = [*begins, len(tcp)]
+    for number, (use, following) in enumerate(zip(ends, [*ends[1:], len(tcp)], strict=True)):
         if use < len(tcp):
             at = _at(tcp[use], things[use], held)
             held = at if shut[use] else -1

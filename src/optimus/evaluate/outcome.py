@@ -11,6 +11,7 @@ from typing import Any
 from optimus.conditions import USUAL, Conditions
 from optimus.data.atomic import write_json, write_whole
 from optimus.statistics import wilson
+from optimus.words import slug
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,11 @@ class Outcome:
     """Seed of the policy's own draws."""
     mishap_at: int | None = None
     """Step at which what `Conditions.perturb` asks for happened; None if it did not."""
+
+
+def states_label(states: str, task: str | None = None, objects: str | None = None) -> str:
+    """What initial states were played: `states`, and of which task and with which objects where that was asked for."""
+    return "-".join(filter(None, [states, slug(task or ""), "" if objects is None else slug(objects) or "own"]))
 
 
 @dataclass(frozen=True)

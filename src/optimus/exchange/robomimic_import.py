@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from optimus.data.atomic import require_free, write_json, written_aside
 from optimus.data.curate import CURATION_FILE
-from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION, PROPRIOCEPTION, Episode
+from optimus.data.episode import IMAGE_SUFFIX, IMPORTED, INSTRUCTION, PROPRIOCEPTION, Episode
 from optimus.data.store import DESCRIPTION, EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange.hdf5 import facts, group_in, names, names_in, numbers, opened, plain_dataset
@@ -22,8 +22,6 @@ from optimus.exchange.robomimic import OBJECT, OWN
 
 JOINTS = ("robot0_joint_pos", "robot0_joint_target_error")
 """Low-dimensional observations of this program's own files under joint control, besides `PROPRIOCEPTION`."""
-IMPORTED = "imported"
-"""The setting of a data set that says of which format it came."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +51,8 @@ def import_robomimic(
         low, images = _observations(data, demos, source)
         with written_aside(out, source.overwrite, DESCRIPTION) as folder:
             store = EpisodeStore.create(folder, *_description(data, images))
+            # in the order that a file of this program's own says
+            images.sort(key=lambda name: [*store.cameras, name.removesuffix(IMAGE_SUFFIX)].index(name.removesuffix(IMAGE_SUFFIX)))
             seeds: dict[str, int] = {}
             for name, number in demos.items():
                 episode = _episode(group_in(data, name), store.task, number, low, images, source)

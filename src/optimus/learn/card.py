@@ -84,12 +84,12 @@ def _success(run: Path) -> str:
         report = json.loads(file.read_text())
         low, high = report["interval"]
         rows.append(
-            f"| {report['task']} | {report['states']} | {report['successes']} of {report['episodes']} | "
+            f"| {report['task']} | {file.stem.removeprefix('evaluation-')} | {report['successes']} of {report['episodes']} | "
             f"{100 * low:.0f} to {100 * high:.0f} % |"
         )
     if not rows:
         return "## Success\n\nNot evaluated yet: `optimus evaluate`.\n"
-    head = "| task | initial states | successes | 95 % interval (Wilson) |\n|---|---|---|---|"
+    head = "| task | initial states and conditions | successes | 95 % interval (Wilson) |\n|---|---|---|---|"
     return "## Success\n\n" + "\n".join([head, *rows]) + "\n"
 
 

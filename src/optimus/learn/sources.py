@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from optimus.data.curate import Curation, load_curation
+from optimus.data.episode import BINARY, IMPORTED
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
@@ -16,6 +19,8 @@ from optimus.learn.checkpoint import joint_task
 
 POSITION_SCALE = "position_scale"
 """Key of a dataset's configuration: metres that a position action of 1 stands for."""
+SPLIT = "split"
+"""Key of what is recorded of the data: a digest of which episodes are trained on, and which are held out."""
 SCALES = (POSITION_SCALE, "rotation_scale", "joint_scale")
 
 
@@ -51,6 +56,8 @@ class Lessons:
             raise DatasetError("nothing to train on; name one dataset or several")
         curations = [_shortened(load_curation(store.path), demonstrations, store.path) for store in stores]
         first = stores[0]
+        if cut.images and not first.cameras and IMPORTED not in first.config:
+            raise DatasetError(f"{first.path} holds no images; add them with optimus render, or train with --observe state")
         for store in stores[1:]:
             _require_same_meaning(store, first)
         extra = [header for path in sources.corrections for header in _corrections(path, stores)]
@@ -62,7 +69,7 @@ class Lessons:
             Windows(first, curations[0].train, cut, train),
             Windows(first, curations[0].validation, centre, held_out),
             first.config.get(POSITION_SCALE),
-            _about(stores, len(curations[0].train) + len(train)),
+            _about(stores, curations, extra),
         )
 
 
@@ -79,8 +86,11 @@ def _rest(stores: Sequence[EpisodeStore], curations: Sequence[Curation], which: 
     return [store.header(s) for store, c in zip(stores[1:], curations[1:], strict=True) for s in getattr(c, which)]
 
 
-def _about(stores: Sequence[EpisodeStore], episodes: int) -> dict[str, Any]:
+def _about(stores: Sequence[EpisodeStore], curations: Sequence[Curation], extra: Sequence[EpisodeHeader]) -> dict[str, Any]:
+    episodes = sum(len(c.train) for c in curations) + len(extra)
+    split = [[c.train, c.validation] for c in curations] + [[header.seed for header in extra]]
     said: dict[str, Any] = {"config": stores[0].config, "versions": stores[0].versions, "episodes": episodes}
+    said[SPLIT] = hashlib.sha256(json.dumps(split).encode()).hexdigest()[:12]
     if len(stores) > 1:
         said["others"] = [{"task": s.task, "config": s.config, "versions": s.versions} for s in stores[1:]]
     return said
@@ -99,6 +109,7 @@ def _require_same_meaning(store: EpisodeStore, first: EpisodeStore) -> None:
     """`DatasetError` if what is seen or done in one of them means something else than in the other."""
     said: list[tuple[str, Any, Any]] = [(what, getattr(store, what), getattr(first, what)) for what in ("control", "robot")]
     said.append(("cameras", ", ".join(store.cameras), ", ".join(first.cameras)))
+    said.append(("gripper", store.config.get("gripper", BINARY), first.config.get("gripper", BINARY)))
     said += [(scale, store.config.get(scale), first.config.get(scale)) for scale in SCALES]
     for what, have, wanted in said:
         if have != wanted:

@@ -1,4 +1,4 @@
-"""Small policies that come with the package: `pretrained:NAME` wherever the folder of a training run is asked for."""
+"""Small policies that come with the package: `pretrained:NAME` wherever a policy to play is asked for."""
 
 from __future__ import annotations
 

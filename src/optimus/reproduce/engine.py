@@ -20,10 +20,11 @@ from typing import Any
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
 from optimus.learn.ranks import device_kind
-from optimus.reproduce.site import Site, commit, machine, slug
+from optimus.reproduce.site import Site, commit, machine
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.work import PolicyWork
 from optimus.reproduce.write import write_table
+from optimus.words import slug
 from optimus.workers import available_cores
 
 

@@ -12,16 +12,17 @@ from optimus.collect import CollectConfig, collect
 from optimus.conditions import USUAL, Conditions
 from optimus.data.curate import CURATION_FILE, CurationConfig, curate
 from optimus.demonstrate import ExpertConfig
-from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, validation_starts
+from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, states_label, validation_starts
 from optimus.expert import TimeLaw
 from optimus.learn import checkpoint
 from optimus.learn.presets import HeadName, Observe, preset
 from optimus.learn.train import Progress, train
-from optimus.reproduce.site import Site, slug
+from optimus.reproduce.site import Site
 from optimus.rerender import RenderConfig, rerender
 from optimus.rollout import Perturbation
 from optimus.skills import Style
 from optimus.tasks import with_objects
+from optimus.words import slug
 
 STEPS_BETWEEN_NOTES = 20
 
@@ -98,8 +99,7 @@ class Trial:
     @property
     def label(self) -> str:
         """Of the initial states; names the file of outcomes."""
-        objects = "" if self.objects is None else slug(self.objects) or "own"
-        return "-".join(filter(None, [self.states, slug(self.task or ""), objects]))
+        return states_label(self.states, self.task, self.objects)
 
     def under(self, site: Site) -> Conditions:
         return replace(self.conditions, horizon=site.budget.horizon)

@@ -26,11 +26,6 @@ StageProgress = Callable[[str, int, int, dict[str, str]], None]
 """`(stage, done, total, notes)`"""
 
 
-def slug(text: str) -> str:
-    """A name for a file or folder."""
-    return re.sub(r"[^a-z0-9@.=+]+", "-", text.lower()).strip("-")
-
-
 @dataclass(eq=False)
 class Site:
     """The folder of one table under one budget.

@@ -144,6 +144,7 @@ def _pooled(reports: list[Measurement]) -> Measurement:
         "episodes": n,
         "interval": list(wilson(k, n)),
         "by_seed": [r["successes"] for r in reports],
+        "states": reports[0]["states"],
         "distinct_states": max(r["distinct_states"] for r in reports),
         "paper_rule_successes": sum(r["paper_rule_successes"] for r in reports),
         "mishaps": sum(r["mishaps"] for r in reports),

@@ -62,7 +62,8 @@ def markdown(found: dict[str, Any]) -> str:
     shown = ("row", "column", "tried on", "ours", "by the paper's rule", "distinct states", "hours", "commit", "processor")
     text += ["", "## Every measurement", "", f"| {' | '.join(shown)} |", "|---" * len(shown) + "|"]
     for cell, name, m in lines(found):
-        usual = "validation states" if "by_seed" in m else "seeds from 7000 on" if "episodes" in m and "successes" in m else ""
+        usual = "seeds from 7000 on" if "episodes" in m and "successes" in m else ""
+        usual = f"{m.get('states', 'validation')} states" if "by_seed" in m else usual
         counted = [str(m.get(k, "")) for k in ("paper_rule_successes", "distinct_states")]
         machine = cell["machine"]
         spent = [f"{cell['hours']:.2f}", cell["commit"] or "", ", ".join(filter(None, (machine["processor"], machine["gpu"])))]

@@ -10,7 +10,7 @@ import numpy as np
 from optimus.errors import RobotFileError
 from optimus.robots.menagerie import fetch
 from optimus.robots.robot import GRIPPER_PREFIX, Mount, Robot
-from optimus.robots.urdf import read_urdf
+from optimus.robots.urdf import UNLIMITED, read_urdf
 from optimus.se3 import look_at, matrix_from_quat
 
 MENAGERIE = "menagerie:"
@@ -129,6 +129,12 @@ def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
         joint = spec.joint(name)
         if joint.armature == 0.0:
             joint.armature = ARMATURE
+        if name in robot.fingers or joint.type != mujoco.mjtJoint.mjJNT_HINGE:
+            continue
+        unsaid = joint.limited == mujoco.mjtLimited.mjLIMITED_AUTO and joint.range[0] >= joint.range[1]
+        if unsaid or joint.limited == mujoco.mjtLimited.mjLIMITED_FALSE:  # it turns far enough: planning needs bounds
+            far = float(np.degrees(UNLIMITED)) if spec.compiler.degree else UNLIMITED
+            joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, [-far, far]
 
 
 def _drive_gripper(spec: mujoco.MjSpec, robot: Robot) -> None:

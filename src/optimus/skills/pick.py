@@ -11,7 +11,7 @@ import numpy as np
 from optimus.logic import Facts, Operator, ground
 from optimus.motion.lines import distance
 from optimus.motion.plan import Segment
-from optimus.objects.shapes import SECTORS, Shape, stands, unrolled
+from optimus.objects.shapes import SECTORS, STANDS, Shape, stands, unrolled
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul
@@ -23,8 +23,8 @@ UPRIGHT = tuple(np.radians((0.0, -30.0, -45.0, -60.0, -75.0, -90.0)))
 LEANING = tuple(np.radians((45.0, -75.0, 60.0, 37.5, -60.0, 30.0, -45.0, 52.5, -37.5, -30.0, 75.0, 90.0, -90.0)))
 """The same where there is a roof: with the hand either way up."""
 
-SIDEWAYS = (*UPRIGHT, *(-turn for turn in UPRIGHT if turn))
-"""Turns of the grasps of a thing that lies on its side: they are meant for one that stands [rad]."""
+SIDEWAYS = (*UPRIGHT, *(-turn for turn in UPRIGHT if turn), np.pi)
+"""Turns of the grasps of a thing that lies on its side, or stands on its head: they are meant for one that stands [rad]."""
 
 TURNED = tuple(np.radians((-11.0, 11.0, -22.0, 22.0)))
 """Under a roof, where few ways in are left, a grasp that was tried is also taken turned by this about the line on which the fingers
@@ -116,9 +116,9 @@ def _has_missed(workspace: Workspace, thing: str, grasp: Pose) -> bool:
 
 def _by_lean(shape: Shape, at: Pose, leans: tuple[float, ...], roofed: bool) -> Iterator[dict[float, list[Pose]]]:
     """The grasps of a shape by how far they lean [rad]: those of a shape of primitives turned to each lean; those that were tried,
-    and all of a thing that lies on its side, under the lean that each is nearest to, if any is near, and after them, under a roof,
+    and all of a thing that does not stand, under the lean that each is nearest to, if any is near, and after them, under a roof,
     their turns."""
-    if not shape.verified and stands(at):
+    if not shape.verified and at.matrix[2, 2] > STANDS:
         yield {tilt: [at @ grasp.pose @ _turn(tilt) for grasp in shape.grasps] for tilt in leans}
         return
     tried = _verified(shape, at) if shape.verified else [at @ grasp.pose @ _turn(t) for t in SIDEWAYS for grasp in shape.grasps]

@@ -123,7 +123,7 @@ class _Writer:
     def add(self, header: EpisodeHeader) -> None:
         """One episode: its frames, videos and row."""
         episode = read_episode(header)
-        low = {k: a for k, a in episode.observations.items() if not k.endswith(IMAGE_SUFFIX)}
+        low = {k: a for k, a in episode.observations.items() if a.ndim == 2}  # neither images nor depth
         images = {c: episode.observations[c + IMAGE_SUFFIX] for c in episode.cameras}
         features = _features(low, episode.actions, images, self.config.images)
         self.features = self.features or features
