@@ -61,10 +61,12 @@ def make_episode(seed: int, steps: int = 20, task: str = "square", cameras: tupl
     return Episode(**{**values, **changes})
 
 
-def make_dataset(path: Path, episodes: int = 8, steps: int = 20, config: dict[str, Any] | None = None) -> EpisodeStore:
+def make_dataset(
+    path: Path, episodes: int = 8, steps: int = 20, config: dict[str, Any] | None = None, cameras: tuple[str, ...] = CAMERAS
+) -> EpisodeStore:
     """A curated dataset of such episodes."""
-    store = EpisodeStore.create(path, "square", CAMERAS, config or {"position_scale": 1.0})
+    store = EpisodeStore.create(path, "square", cameras, config or {"position_scale": 1.0})
     for seed in range(episodes):
-        store.write(make_episode(seed, steps))
+        store.write(make_episode(seed, steps, cameras=cameras))
     curate(path, CurationConfig())
     return store

@@ -45,6 +45,15 @@ def test_a_function_of_the_state_leaves_nothing_to_chance(tmp_path: Path) -> Non
     assert score.drift < 1e-6 and score.doubt == 0 and score.alike < 1e-6 and score.compared == 1
 
 
+def test_an_episode_whose_gripper_never_changes_is_compared_too(tmp_path: Path) -> None:
+    store = made(tmp_path, 0.0)
+    odd = store.read(0)
+    odd.actions[:, 6] = -1
+    same = {"actions": odd.actions, "executed": odd.actions, "observations": odd.observations}
+    store.write(make_episode(99, len(odd.actions), cameras=(), **same))
+    assert np.isfinite(imitability(tmp_path).drift) and describe(tmp_path).imitability is not None
+
+
 def test_noise_is_found_in_its_own_size(tmp_path: Path) -> None:
     """Independent noise of 2 mm on each of three numbers, over twelve steps, sums to 2 mm x sqrt(36)."""
     score = imitability(made(tmp_path, 0.002).path)

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from PIL import Image
 
-from optimus.data.curate import load_curation
+from optimus.data.curate import curate, load_curation
 from optimus.data.store import EpisodeStore
 from optimus.errors import StorageError
 from optimus.exchange.lerobot import LerobotConfig, export_lerobot, statistics, tables
@@ -72,6 +72,18 @@ def _images(root: Path, info: dict, row: dict, frames: list[dict], camera: str) 
     film = iio.imread(root / info["video_path"].format(video_key=key, **place))  # FFmpeg's own program
     first, last = (round(row[f"videos/{key}/{t}_timestamp"] * info["fps"]) for t in ("from", "to"))
     return film[first:last]
+
+
+def test_depth_is_no_number_of_the_state(tmp_path: Path) -> None:
+    store = EpisodeStore.create(tmp_path / "data", "square", CAMERAS, {"position_scale": 1.0})
+    for seed in range(4):
+        episode = make_episode(seed, 12)
+        depth = {"front_depth": np.zeros((12, 8, 8), np.float32)}
+        store.write(make_episode(seed, 12, observations={**episode.observations, **depth}))
+    curate(store.path)
+    export_lerobot(store.path, tmp_path / "out", LerobotConfig(images=True))
+    widths = {len(row["observation.state"]) for row in read(tmp_path / "out", "data")}
+    assert widths == {sum(store.read(0).observations[name].shape[1] for name in STATE)}
 
 
 def test_statistics_are_those_of_the_arrays(tmp_path: Path) -> None:

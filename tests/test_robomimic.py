@@ -85,8 +85,9 @@ def test_the_paper_s_filter_finds_the_same_in_the_exported_file(seed: int, sd: f
             assert {json.loads(demos[n].attrs["ep_meta"])["seed"] for n in masked} == kept == set(curation.kept)
 
 
-def test_what_was_exported_comes_back(tmp_path: Path) -> None:
-    store = make_dataset(tmp_path / "data", 6)
+@pytest.mark.parametrize("cameras", [("front", "wrist"), ("wrist", "front")])
+def test_what_was_exported_comes_back(tmp_path: Path, cameras: tuple[str, ...]) -> None:
+    store = make_dataset(tmp_path / "data", 6, cameras=cameras)
     export_robomimic(store.path, tmp_path / "d.hdf5", RobomimicConfig(compress=True, next_obs=False))
     import_robomimic(tmp_path / "d.hdf5", tmp_path / "back")
     back = EpisodeStore.open(tmp_path / "back")

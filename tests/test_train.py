@@ -237,6 +237,37 @@ def test_the_first_demonstrations_alone_are_learned_from(dataset: Path, tmp_path
     assert_same_bits(tmp_path / "first", tmp_path / "run")
 
 
+def test_a_run_goes_on_only_with_the_same_split(dataset: Path, tmp_path: Path) -> None:
+    data = Path(shutil.copytree(dataset, tmp_path / "data"))
+    train(data, tmp_path / "run", replace(QUICK, steps=2), SMALL)
+    curation = json.loads((data / "curation.json").read_text())
+    curation["train"], curation["validation"] = [*curation["train"][1:], curation["validation"][0]], curation["train"][:1]
+    (data / "curation.json").write_text(json.dumps(curation))
+    with pytest.raises(CheckpointError, match="split"):
+        train(data, tmp_path / "run", replace(QUICK, steps=2), SMALL)
+
+
+def test_a_run_of_an_earlier_version_that_kept_no_split_goes_on(dataset: Path, tmp_path: Path) -> None:
+    train(dataset, tmp_path, replace(QUICK, steps=2), SMALL)
+    config = json.loads((tmp_path / "config.json").read_text())
+    del config["dataset"]["split"], config["train"]["demonstrations"]
+    (tmp_path / "config.json").write_text(json.dumps(config))
+    train(dataset, tmp_path, replace(QUICK, steps=2), SMALL)
+
+
+def test_what_cannot_be_learned_together_is_refused(dataset: Path, tmp_path: Path) -> None:
+    blind = make_dataset(tmp_path / "blind", 4, 12, cameras=())
+    with pytest.raises(DatasetError, match="holds no images"):
+        train(blind.path, tmp_path / "run", QUICK, SMALL)
+    continuous = Path(shutil.copytree(dataset, tmp_path / "continuous"))
+    about = json.loads((continuous / "dataset.json").read_text())
+    about["config"]["gripper"] = "continuous"
+    (continuous / "dataset.json").write_text(json.dumps(about))
+    for others in ({"dataset": [dataset, continuous]}, {"dataset": dataset, "corrections": continuous}):
+        with pytest.raises(DatasetError, match="gripper"):
+            train(**others, run=tmp_path / "run", config=QUICK, policy=SMALL)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("count", [0, 4])
 def test_more_demonstrations_than_there_are_is_an_error(count: int, dataset: Path, tmp_path: Path) -> None:
     with pytest.raises(DatasetError, match=f"has 3 demonstrations to train on, not {count}; ask for 1 to 3"):
