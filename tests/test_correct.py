@@ -1,16 +1,20 @@
 """Corrections: the policy acts, the labels stay the expert's."""
 
+import json
+import shutil
 from functools import partial
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from optimus.collect import CollectConfig, collect
 from optimus.correct import Corrections, Turns
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.expert import PlanFollower
+from optimus.errors import CheckpointError
+from optimus.expert import PlanFollower, TimeLaw
 from optimus.learn.checkpoint import load
 from optimus.learn.train import TrainConfig, train
 from optimus.motion.plan import Plan
@@ -32,6 +36,21 @@ def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> No
     assert first.info["perturbed"] and not first.success  # three steps of training teach nobody to stack
     # a label is what a fresh follower of the same plan would say, wherever the policy went
     assert np.abs(first.actions).max() <= 1.0 and set(np.unique(first.actions[:, 6])) <= {-1.0, 1.0}
+
+
+def test_a_policy_is_corrected_with_the_gripper_that_it_was_taught(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    run = Path(shutil.copytree(taught[1], tmp_path / "run"))
+    config = json.loads((run / "config.json").read_text())
+    config["dataset"]["config"]["gripper"] = "continuous"
+    (run / "config.json").write_text(json.dumps(config))
+    with pytest.raises(CheckpointError, match="gripper 'continuous', not 'binary'"):
+        collect(CollectConfig("stack", tmp_path / "data", 1, turns=Turns(run)))
+    env = ManipulationEnv(task("stack"), gripper="continuous")
+    always = partial(Corrections, Turns(run, policy_steps=1e9, expert_steps=1.0))
+    episode = demonstrate(env, 3, ExpertConfig(law=TimeLaw(gripper="continuous")), always).episode
+    assert episode is not None
+    between = np.abs(episode.executed[:, 6]) < 1.0  # where a binary gripper never is told to be
+    assert between[:-LAST_LOOK].mean() > 0.5
 
 
 def test_without_turns_of_the_policy_nothing_changes(taught: tuple[Path, Path]) -> None:

@@ -80,7 +80,7 @@ def train(
         device: what to train on; auto: a GPU if there is one
         board: where the figures can be watched: `tensorboard --logdir OUT`, or Weights & Biases
         corrections: further datasets, from `optimus collect --policy`, to train on as well
-        initial: a run folder whose weights to begin with
+        initial: a run folder whose weights, and whose network, to begin with
         dagger: rounds in which the newest policy acts, the planner answers from wherever that led, and training goes on
         dagger_episodes: successful episodes that each round adds
         dagger_plain: add as many demonstrations by the expert alone instead, for comparison
