@@ -130,6 +130,16 @@ def test_a_thing_that_fell_over_is_taken_as_it_lies(name: str, thing: str, roll:
     assert reached >= 2  # it may roll away
 
 
+def test_what_leans_where_it_is_to_go_is_not_there_yet() -> None:
+    env = ManipulationEnv(task("pick-place"), images=False)
+    env.reset(seed=3)
+    state = env.state()
+    where = env.world.scene.fixture_poses["right"].pos + np.array([0.0, 0.0, 0.05])
+    leaning = state.moved("object", Pose(where, Pose.of(rotvec=(0.6, 0.0, 0.0)).quat))
+    plan = solve(Workspace(env.world), leaning, env.problem.goal, np.random.default_rng(0))
+    assert not isinstance(plan, Plan) or plan.steps  # whatever can be done, nothing is not it
+
+
 def test_where_there_is_no_plan_any_more_it_goes_home() -> None:
     env = ManipulationEnv(task("stack"), images=False)
     env.reset(seed=1)

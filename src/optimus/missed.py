@@ -6,6 +6,7 @@ are pushed while it is away.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
@@ -16,8 +17,6 @@ from optimus.expert import STEERING
 from optimus.motion.plan import Plan, Segment, Step
 from optimus.se3 import Pose, error_between
 
-REACH = "reach"
-"""The name of the motion that ends where the fingers are to shut."""
 ASIDE = (0.04, 0.065)
 """How far beside the place of the grasp, across the line along which the fingers shut [m]."""
 ABOVE = 0.03
@@ -57,7 +56,7 @@ class MissedGrasp:
         self.at: int | None = None
         """The step at which it was led aside; None as long as it has not been."""
         self._env, self._expert, self._step = env, expert, -1
-        taken = [step.operator.args[0] for step in expert.plan.steps if any(s.name == REACH for s in step.segments)]
+        taken = [step.operator.args[0] for step in expert.plan.steps if _reach(step) is not None]
         self._of = taken[int(rng.integers(len(taken)))] if taken else ""
         """The thing or door that is missed."""
         self._aside, self._above = rng.uniform(*ASIDE) * rng.choice([-1.0, 1.0]), rng.uniform(0.0, ABOVE)
@@ -87,7 +86,7 @@ class MissedGrasp:
     def _begins(self, tcp: Pose) -> bool:
         """Whether it is at that grasp; from then on it is known where the hand will be led."""
         doing = self._expert.doing
-        if doing is None or doing[1].name != REACH or doing[0].operator.args[0] != self._of:
+        if doing is None or doing[1] is not _reach(doing[0]) or doing[0].operator.args[0] != self._of:
             return False
         end = doing[1].end
         if float(np.linalg.norm(end.pos - tcp.pos)) > NEAR:
@@ -107,3 +106,8 @@ class MissedGrasp:
             twist[part] *= min(1.0, most / max(1e-9, float(np.linalg.norm(twist[part]))))
         arm = controller.action_for(twist, data) - controller.target_error(data) / STEERING[self._env.control].scale
         return np.append(arm, gripper)
+
+
+def _reach(step: Step) -> Segment | None:
+    """The motion of a skill that ends where the fingers are to shut, if it has one."""
+    return next((motion for motion, after in pairwise(step.segments) if after.gripper_action and after.shut), None)

@@ -161,8 +161,8 @@ def solve(
     budget = budget or Budget()
     began = time.process_time()
     workspace.deadline = began + budget.seconds
-    state = _as_seen(workspace, state)
-    facts, learned = _facts(workspace.scene, state), frozenset()
+    state = _as_seen(workspace.scene, state)
+    facts, learned = _facts(workspace.scene, state, goal), frozenset()
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
@@ -186,9 +186,8 @@ def solve(
     return last
 
 
-def _as_seen(workspace: Workspace, state: State) -> State:
+def _as_seen(scene: Scene, state: State) -> State:
     """Of a body of revolution that lies on its side, the turn about its axis is unknown, and might as well be none."""
-    scene = workspace.scene
     lying = [n for n, pose in state.poses.items() if scene.shape_of(n).symmetric and not stands(pose)]
     for name in lying:
         state = state.moved(name, unrolled(state.poses[name]))
@@ -197,24 +196,25 @@ def _as_seen(workspace: Workspace, state: State) -> State:
     return state
 
 
-def _facts(scene: Scene, state: State) -> Facts:
-    """All that holds; and that what leans on something, or lies across an edge, is on the fixture below it: it can be taken from
-    there."""
+def _facts(scene: Scene, state: State, goal: Facts) -> Facts:
+    """All that holds; and that what leans on something, or lies across an edge, is on a fixture below it: it can be taken from
+    there. Not on the one where it is to go, for there it is not yet."""
     facts = facts_of(scene, state)
     resting = {atom.args[0] for atom in facts if atom.predicate == On.name}
     loose = [name for name in state.poses if name not in resting and (state.held is None or state.held.name != name)]
-    return facts | {On(name, below) for name in loose for below in _below(scene, state.poses[name])}
+    found = ([On(name, below) for below in _below(scene, state.poses[name])] for name in loose)
+    return facts | {atom for atoms in found for atom in [a for a in atoms if a not in goal][:1]}
 
 
 def _below(scene: Scene, pose: Pose) -> list[str]:
-    """The fixture that a thing falls on, if any does: the highest surface under it."""
+    """The fixtures under a thing, the highest surface first."""
     heights: dict[str, float] = {}
     for fixture in scene.fixtures:
         if (surface := fixture.shape.surface) is not None:
             local = scene.fixture_poses[fixture.name].inverse.transform(pose.pos)
             if abs(local[0]) <= surface.half_x and abs(local[1]) <= surface.half_y and local[2] > surface.z:
                 heights[fixture.name] = float(pose.pos[2] - local[2]) + surface.z
-    return sorted(heights, key=lambda name: -heights[name])[:1]
+    return sorted(heights, key=lambda name: -heights[name])
 
 
 def _next(candidates: Iterator[Skeleton], failed: set[tuple[str, ...]]) -> Skeleton | None:
