@@ -25,6 +25,7 @@ from optimus.reproduce import BUDGETS, TABLES, Site, budget, reproduce
 from optimus.reproduce import engine as engine_module
 from optimus.reproduce.tables import Cell, Table, papers_figures
 from optimus.reproduce.work import Data, ExpertWork, Lesson, PolicyWork, Trial
+from optimus.reproduce.write import commands_of
 from optimus.statistics import wilson
 from optimus.tasks import TASKS, task
 from optimus.words import slug
@@ -168,6 +169,24 @@ def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(
     assert filled(found) == ["Stack", "Stack again"] and found["missing"] == ["StackThree TAMP-task"]
     with pytest.raises(UnknownNameError, match=r"row 'Stak'.*StackThree"):
         reproduce(Site("table-b2", tmp_path, tiny), ["Stak"])
+    with pytest.raises(UnknownNameError, match=r"column 'TAMP'.*TAMP-task"):
+        reproduce(Site("table-b2", tmp_path, tiny), columns=["TAMP"])
+
+
+def test_only_the_columns_asked_for_are_filled_and_the_command_says_which(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cells = tuple(Cell(row, f"TAMP-{c}", ExpertWork("stack", c)) for row in ("Stack", "Tower") for c in ("joint", "osc"))
+    monkeypatch.setitem(TABLES, "table-b2", Table("table-b2", "Columns", cells))
+    site = Site("table-b2", tmp_path, replace(budget("smoke"), expert_episodes=1), workers=1)
+    found = reproduce(site, columns=["TAMP-joint"])
+    assert [(c["row"], c["column"]) for c in found["cells"]] == [("Stack", "TAMP-joint"), ("Tower", "TAMP-joint")]
+    asked = lambda found, *of: [c.partition(" --rows ")[2] for c in commands_of(found, *of)]  # noqa: E731
+    assert asked(found) == ["Stack Tower --columns TAMP-joint"]
+    found = reproduce(site, ["Tower"])
+    assert asked(found) == ["Stack --columns TAMP-joint", "Tower"]
+    assert asked(found, "TAMP-joint") == ["Stack Tower --columns TAMP-joint"]
+    assert asked(found, "TAMP-osc") == ["Tower --columns TAMP-osc"]
 
 
 def test_where_a_gpu_trains_cells_are_prepared_ahead_and_the_table_is_the_same(

@@ -22,6 +22,7 @@ def reproduce(
     name: TableName,
     out: Path,
     rows: tuple[str, ...] = (),
+    columns: tuple[str, ...] = (),
     budget: Literal["smoke", "cpu", "gpu"] = "smoke",
     seed: int = 0,
     seeds: int | None = None,
@@ -36,10 +37,12 @@ def reproduce(
         optimus reproduce table-b3 --out results/b3 --budget cpu
         optimus reproduce figure-a1 --out results/a1 --budget smoke
         optimus reproduce table-b2 --out results/b2 --budget cpu --rows PickPlace Stack
+        optimus reproduce table-b2 --out results/b2 --budget cpu --columns TAMP-joint TAMP-task
 
     Args:
         out: the folder for everything; `table.md`, `table.csv`, `plot.png` and `results.json` in it are the answer
         rows: only these, named as the table names them; a later call may fill others
+        columns: only these, likewise
         budget: smoke proves the path in minutes and says nothing of success; cpu is for two cores overnight; gpu for one large GPU
         seed: of the first demonstration, of the split, and of the first policy
         seeds: policies trained for each row, from one seed after another, in place of the budget's
@@ -52,6 +55,6 @@ def reproduce(
     chosen = budget_named(budget)
     chosen = replace(chosen, seeds=chosen.seeds if seeds is None else seeds, device=device or chosen.device)
     bars = StageBars(several=True)
-    found = run_all(Site(name, out, chosen, seed, workers, bars), rows)
+    found = run_all(Site(name, out, chosen, seed, workers, bars), rows, columns)
     bars.close()
     say(found, json, (out / "table.md").read_text())

@@ -35,16 +35,17 @@ def table_named(name: str) -> Table:
     return TABLES[name]
 
 
-def reproduce(site: Site, rows: Sequence[str] = ()) -> dict[str, Any]:
-    """Fill the table of `site`, or only some of its rows, from wherever an earlier call was stopped. Returns what
-    `OUT/results.json` then says: all that is there, of other rows too. `UnknownNameError` if a row is none of the table's."""
+def reproduce(site: Site, rows: Sequence[str] = (), columns: Sequence[str] = ()) -> dict[str, Any]:
+    """Fill the table of `site`, or only some of its rows or columns, from wherever an earlier call was stopped. Returns what
+    `OUT/results.json` then says: all that is there, of other rows too. `UnknownNameError` if a row or column is none of the table's."""
     table = table_named(site.table)
-    for row in rows:
-        if row not in table.rows:
-            raise UnknownNameError("row", row, table.rows)
+    for kind, asked, valid in (("row", rows, table.rows), ("column", columns, table.columns)):
+        for name in asked:
+            if name not in valid:
+                raise UnknownNameError(kind, name, valid)
     site.open()
     make_folder(site.out / "cells")
-    chosen = [cell for cell in table.cells if not rows or cell.row in rows]
+    chosen = [c for c in table.cells if (not rows or c.row in rows) and (not columns or c.column in columns)]
     with _ahead(site, [cell for cell in chosen if not _file(site, cell).exists()]) as prepared:
         for i, cell in enumerate(chosen):
             site.progress("cells", i, len(chosen), {"next": cell.name})

@@ -50,6 +50,11 @@ class Table:
         return tuple(dict.fromkeys(cell.row for cell in self.cells))
 
     @property
+    def columns(self) -> tuple[str, ...]:
+        """Its columns' names."""
+        return tuple(dict.fromkeys(cell.column for cell in self.cells))
+
+    @property
     def papers(self) -> dict[str, dict[str, float]]:
         """The paper's figures, row -> column -> percent, or seconds."""
         return papers_figures()[self.name]

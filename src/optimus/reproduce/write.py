@@ -71,16 +71,28 @@ def markdown(found: dict[str, Any]) -> str:
         shown = [cell["row"], cell["column"], name or usual, said(m), *counted, *spent]
         text.append(f"| {' | '.join(shown)} |")
     steps = dict.fromkeys(command for cell, _, _ in lines(found) for command in cell["commands"])
-    text += ["", "## Commands", "", "```text", command_of(found), "```", "", "By itself, in that folder:", ""]
+    text += ["", "## Commands", "", "```text", *commands_of(found), "```", "", "By itself, in that folder:", ""]
     return "\n".join([*text, "```text", *steps, "```", ""])
 
 
-def command_of(found: dict[str, Any]) -> str:
-    """What filled the rows that are filled; of a page that was put together from a campaign, as it says itself."""
+def commands_of(found: dict[str, Any], column: str | None = None) -> list[str]:
+    """What filled the cells that are filled, or those of one column; of a page that was put together from a campaign, as it says
+    itself."""
     if "filled_by" in found:
-        return found["filled_by"]
-    filled = dict.fromkeys(cell["row"] for cell, _, _ in lines(found))
-    return found["command"] if found["complete"] else f"{found['command']} --rows {shlex.join(filled)}"
+        return [found["filled_by"]]
+    if found["complete"] and column is None:
+        return [found["command"]]
+    filled: dict[str, tuple[str, ...]] = {}
+    for cell in found["cells"]:
+        if column in (None, cell["column"]):
+            filled[cell["row"]] = (*filled.get(cell["row"], ()), cell["column"])
+    names = [f"{c['row']} {c['column']}" for c in found["cells"]] + found["missing"]
+    alike: dict[str, list[str]] = {}
+    for row, columns in filled.items():
+        # columns are named only where others of the row were left out
+        whole = all(n.endswith(tuple(f" {c}" for c in columns)) for n in names if n.startswith(f"{row} "))
+        alike.setdefault("" if whole else f" --columns {shlex.join(columns)}", []).append(row)
+    return [f"{found['command']} --rows {shlex.join(rows)}{columns}" for columns, rows in alike.items()]
 
 
 def _about(found: dict[str, Any]) -> str:
