@@ -37,7 +37,7 @@ def table_named(name: str) -> Table:
 
 def reproduce(site: Site, rows: Sequence[str] = (), columns: Sequence[str] = ()) -> dict[str, Any]:
     """Fill the table of `site`, or only some of its rows or columns, from wherever an earlier call was stopped. Returns what
-    `OUT/results.json` then says: all that is there, of other rows too. `UnknownNameError` if a row or column is none of the table's."""
+    `OUT/results.json` then says: all that is there, of others too. `UnknownNameError` if a row or column is none of the table's."""
     table = table_named(site.table)
     for kind, asked, valid in (("row", rows, table.rows), ("column", columns, table.columns)):
         for name in asked:
