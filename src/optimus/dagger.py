@@ -29,6 +29,7 @@ from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError
 from optimus.evaluate import evaluate, trained_robot, validation_starts
 from optimus.learn.begun import train_described
+from optimus.learn.board import BoardName
 from optimus.learn.policy import PolicyConfig
 from optimus.learn.train import Progress, TrainConfig, train
 
@@ -72,13 +73,14 @@ def dagger(
     config: DaggerConfig,
     progress: StageProgress = lambda *_: None,
     policy: PolicyConfig | None = None,
+    watch: BoardName = "tensorboard",
 ) -> dict[str, Any]:
     """Train `run` on `dataset`, then the rounds; goes on where it was stopped. Returns the report, JSON-able.
-    `policy` is the network.
+    `policy` is the network; `watch` says where the figures go, as for `train`.
 
     A function of `dataset`, `lesson` and `config` where `lesson` is a number of steps, for any number of workers.
     """
-    rounds = _Rounds(dataset, run, lesson, config, policy or PolicyConfig(), progress)
+    rounds = _Rounds(dataset, run, lesson, config, policy or PolicyConfig(), progress, watch)
     for number in range(config.rounds + 1):
         rounds.do(number)
     return rounds.report
@@ -93,9 +95,11 @@ class _Rounds:
         config: DaggerConfig,
         network: PolicyConfig,
         progress: StageProgress,
+        watch: BoardName,
     ) -> None:
         self.dataset, self.run, self.lesson, self.config = dataset, run, lesson, config
         self.network, self.progress = network, progress
+        self.watch: BoardName = watch
         self.store = EpisodeStore.open(dataset)
         lessons = {"policy": asdict(network), "train": asdict(lesson)}
         asked = {"dataset": dataset.name, "task": self.store.task, **lessons, **asdict(config)}
@@ -184,7 +188,7 @@ class _Rounds:
 
         more = [self.data(k) for k in range(1, number + 1)]
         begun = self.policy(number - 1) if number else None
-        train(self.dataset, self.policy(number), lesson, self.network, report, more, begun)
+        train(self.dataset, self.policy(number), lesson, self.network, report, more, begun, self.watch)
 
     def _evaluate(self, number: int) -> dict[str, Any]:
         starts = validation_starts(self.dataset, self.config.evaluations)

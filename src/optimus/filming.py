@@ -38,14 +38,15 @@ def film_outcomes(
     robot: Robot | None = None,
     each: int = 3,
     conditions: Conditions = USUAL,
+    compiled: bool = False,
 ) -> list[FilmedEpisode]:
     """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
-    are functions of their seeds."""
+    are functions of their seeds, and of whether the network is compiled."""
     films = []
     for success in (True, False):
         for i in worth_filming(report["outcomes"], success, each):
             outcome, film = report["outcomes"][i], Film()
-            play(run, starts[i], seed + i, component, film, robot, conditions)
+            play(run, starts[i], seed + i, component, film, robot, conditions, compiled)
             path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
             film.write(path)
             write_whole(path.with_suffix(".png"), png(film.strip()))

@@ -94,7 +94,7 @@ def evaluate(
         results[which] = report.as_dict()
         if videos is not None:
             films = videos / which if checkpoint == "both" else videos
-            film_outcomes(folder, starts, results[which], seed, component, films, arm, conditions=conditions)
+            film_outcomes(folder, starts, results[which], seed, component, films, arm, conditions=conditions, compiled=compile)
     text = "\n".join(f"{which}: {rate(r)}; failures: {counts(r['failures'])}" for which, r in results.items())
     said = results if checkpoint == "both" else results[checkpoint]
     say({"run": str(run), **said}, json, text if checkpoint == "both" else text.partition(": ")[2])

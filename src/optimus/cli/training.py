@@ -13,6 +13,7 @@ from optimus.cli.output import StageBars, bar, rate, say
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from optimus.learn.board import BoardName
     from optimus.learn.policy import PolicyConfig
     from optimus.learn.recipe import TrainConfig
     from optimus.learn.train import Progress
@@ -99,7 +100,7 @@ def train(
     if dagger > 0:
         _require_plain_lesson(datasets, corrections, initial)
         rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
-        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, json)
+        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, board, json)
         return
     with bar(None, "train", "step", silent=not is_first()) as shown:
         policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
@@ -117,13 +118,18 @@ def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, .
 
 
 def _rounds(
-    dataset: Path, out: Path, lesson: tuple[TrainConfig, PolicyConfig], rounds: tuple[int, int, bool, int, int], json: bool
+    dataset: Path,
+    out: Path,
+    lesson: tuple[TrainConfig, PolicyConfig],
+    rounds: tuple[int, int, bool, int, int],
+    board: BoardName,
+    json: bool,
 ) -> None:
     from optimus.dagger import DaggerConfig, dagger
 
     bars = StageBars()
     try:
-        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1])
+        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1], board)
     finally:
         bars.close()
     lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]

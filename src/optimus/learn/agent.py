@@ -104,8 +104,13 @@ class PolicyAgent:
 
 
 def trained_agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
-    """The policy of that run folder, ready to act; its gripper moves as in the demonstrations that it was trained on."""
-    return PolicyAgent(run, component if checkpoint.gripper_of(run) == BINARY else CONTINUOUS, compiled=compiled)
+    """The policy of that run folder, ready to act; its gripper moves as in the demonstrations that it was trained on.
+    `CheckpointError` for another component than a `sampled` one where that gripper was continuous."""
+    if checkpoint.gripper_of(run) == BINARY:
+        return PolicyAgent(run, component, compiled=compiled)
+    if component != "sampled":
+        raise CheckpointError(f"{run} was taught a continuous gripper, whose component is sampled: no {component!r}")
+    return PolicyAgent(run, CONTINUOUS, compiled=compiled)
 
 
 def compiler() -> str | None:

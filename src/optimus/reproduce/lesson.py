@@ -159,7 +159,7 @@ class Lesson:
         if trial.states == "validation":
             starts = validation_starts(self.datasets[0].folder(site), n)
         else:
-            starts = random_starts(n, site.seed, trial.objects, trial.task)
+            starts = random_starts(n, seed, trial.objects, trial.task)
         with site.timed(stage):
             note = lambda done, k: site.progress(stage, done, n, {"successes": str(k)})  # noqa: E731
             report = evaluate(run, starts, trial.label, seed, site.workers, progress=note, conditions=trial.under(site))
