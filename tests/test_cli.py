@@ -1,6 +1,5 @@
 """The command line as a contract: JSON last on standard output, one-line errors with exit status 2."""
 
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -12,25 +11,8 @@ from safetensors.numpy import load_file
 from optimus.collect import CollectConfig, collect
 from optimus.control import CONTROLS
 from optimus.tasks import TASKS
+from program import optimus, refused, result_of
 from synthetic import make_dataset
-
-
-def optimus(*args: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", "optimus.cli", *args], capture_output=True, text=True, check=False)
-
-
-def result_of(*args: str) -> dict:
-    done = optimus(*args, "--json")
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout.strip().splitlines()[-1])
-
-
-def refused(*args: str) -> str:
-    done = optimus(*args)
-    assert done.returncode == 2, (done.returncode, done.stderr)
-    last = done.stderr.strip().splitlines()[-1]
-    assert last.startswith("optimus: ") and "Traceback" not in done.stderr
-    return last
 
 
 def test_tasks_and_help() -> None:
@@ -47,6 +29,11 @@ def test_help_names_the_ways_of_control() -> None:
 def test_help_loads_no_simulator_and_no_learner() -> None:
     code = "import sys, optimus.cli; print(*(m for m in ('mujoco', 'torch', 'ompl') if m in sys.modules))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split() == []
+
+
+def test_it_is_a_module_that_can_be_run() -> None:
+    done = subprocess.run([sys.executable, "-m", "optimus.cli", "show", "stackk"], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stderr.startswith("optimus: unknown task 'stackk'") and done.stderr.count("\n") == 1
 
 
 def test_a_reader_that_has_seen_enough_is_no_error() -> None:
@@ -103,7 +90,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
 
 
 def test_bench_collect_render_step_and_action() -> None:
-    collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2")
+    collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2", "--horizon", "30")
     assert collected["demonstrations"] == 2
     assert {"planning", "physics", "rendering", "writing"} <= set(collected["cpu_seconds_per_demonstration"])
     assert result_of("bench", "render", "stack", "--episodes", "3")["frame_ms"]["agentview"]["median"] > 0
@@ -152,7 +139,7 @@ def test_the_stages_one_by_one(tmp_path: Path) -> None:
     assert result_of("curate", str(data))["train"] >= 2
     result_of("train", str(data), "--out", str(run), "--steps", "3")
     films = tmp_path / "films"
-    args = ("evaluate", str(run), "--dataset", str(data), "--episodes", "2", "--workers", "2")
+    args = ("evaluate", str(run), "--dataset", str(data), "--episodes", "2", "--workers", "2", "--horizon", "30")
     found = result_of(*args, "--videos", str(films))
     assert found["episodes"] == 2 and len(found["interval"]) == 2
     assert len(list(films.glob("*.mp4"))) == 2

@@ -73,7 +73,7 @@ def test_a_policy_of_a_continuous_gripper_says_how_far_to_shut(run: Path, tmp_pa
     binary, continuous = (optimus.load_policy(folder).act(frame) for folder in (run, other))
     assert binary[6] in (-1, 1) and -1 < continuous[6] < 1
     np.testing.assert_array_equal(continuous[:6], binary[:6])
-    with pytest.raises(CheckpointError, match="continuous gripper.*'likeliest'"):
+    with pytest.raises(CheckpointError, match=r"continuous gripper.*'likeliest'"):
         optimus.load_policy(other, "likeliest")
 
 

@@ -7,10 +7,12 @@ import subprocess
 import sys
 import typing
 from pathlib import Path
+from unittest import mock
 
 import pytest
 
 from optimus.cli import VERBS
+from program import optimus
 
 DOCS = Path(__file__).parent.parent / "docs"
 UNIT = r"minute|second|\[\w+|metre|share|standard deviation|factor|rate|probability|weight|times"
@@ -18,8 +20,8 @@ UNIT = r"minute|second|\[\w+|metre|share|standard deviation|factor|rate|probabil
 
 def help_of(verb: str) -> str:
     """What a terminal of 100 columns shows, without its frames."""
-    command = [sys.executable, "-m", "optimus.cli", verb, "--help"]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, env={**os.environ, "COLUMNS": "100"})
+    with mock.patch.dict(os.environ, {"COLUMNS": "100"}):
+        done = optimus(verb, "--help")
     return re.sub(r"[│╭╮╰╯─]", " ", done.stdout)
 
 

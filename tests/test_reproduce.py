@@ -62,7 +62,7 @@ def test_what_the_tables_name_exists() -> None:
         budget("none")
 
 
-def test_the_issues_tasks_and_methods_are_all_there() -> None:
+def test_every_task_and_method_is_in_some_table() -> None:
     methods = {"OPTIMUS", "BC-MLP", "BC-RNN", "BeT"}
     for name, count in (("table-b1", 4), ("long-horizon", 6)):
         assert len(TABLES[name].cells) == 4 * count and {c.column for c in TABLES[name].cells} == methods
@@ -91,7 +91,7 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
     unfinished = json.loads((tmp_path / "results.json").read_text())
     assert not unfinished["complete"] and unfinished["missing"] == ["Stack OPTIMUS"]
     written = (tmp_path / "table.md").read_text()
-    assert "missing: Stack OPTIMUS." in written and "--out DIR --rows Stack\n" in written
+    assert "missing: Stack OPTIMUS." in written and "--out DIR --rows Stack --columns TAMP-task\n" in written
     done = {p: p.stat().st_mtime_ns for p in (*tmp_path.rglob("*.safetensors"), *(tmp_path / "cells").iterdir())}
     stages: list[str] = []
     found = reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=lambda stage, *_: stages.append(stage)))
@@ -195,7 +195,7 @@ def test_where_a_gpu_trains_cells_are_prepared_ahead_and_the_table_is_the_same(
     works = [PolicyWork(Lesson((Data(t),)), (Trial("", "validation"),)) for t in ("stack", "pick-place")]
     cells = tuple(Cell(row, "OPTIMUS", work) for row, work in zip(("Stack", "Put"), works, strict=True))
     monkeypatch.setitem(TABLES, "table-b2", Table("table-b2", "Two policies", cells))
-    tiny = replace(budget("smoke"), demonstrations=2)
+    tiny = replace(budget("smoke"), demonstrations=2, episodes=1)
     plain = reproduce(Site("table-b2", tmp_path / "plain", tiny, workers=1))
     monkeypatch.setattr(engine_module, "device_kind", lambda device: "cuda")
     # the first trial of the first policy waits for the training of the second one

@@ -32,10 +32,10 @@ def what_was_done(out: Path) -> dict[str, bytes]:
 
 def test_from_the_task_to_a_report(tmp_path: Path) -> None:
     stages: list[str] = []
-    config = RunConfig("pick-place", tmp_path / "out", minutes=0.8, demonstrations=12, episodes=2, corrections=True, mishaps=0.5)
+    config = RunConfig("pick-place", tmp_path / "out", minutes=0.4, demonstrations=5, episodes=1, corrections=True, mishaps=0.5)
     first = run(config, lambda stage, done, total, notes: stages.append(stage))
     assert list(dict.fromkeys(stages)) == ["collect", "first policy", "correct", "train", "evaluate"]
-    assert first["evaluation"]["episodes"] == 2 and len(first["evaluation"]["interval"]) == 2
+    assert first["evaluation"]["episodes"] == 1 and len(first["evaluation"]["interval"]) == 2
     assert EpisodeStore.open(config.out / "data").config["expert"]["mishaps"] == 0.5
     page = Path(first["report"]).read_text()
     assert "<html" in page and "data:video/mp4" in page and "https://" not in page
@@ -45,7 +45,7 @@ def test_from_the_task_to_a_report(tmp_path: Path) -> None:
     assert what_was_done(config.out) == done
     with pytest.raises(DatasetError, match="minutes"):
         run(RunConfig("pick-place", tmp_path / "out", minutes=5))
-    assert json.loads((tmp_path / "out" / "run.json").read_text())["config"]["minutes"] == 0.8
+    assert json.loads((tmp_path / "out" / "run.json").read_text())["config"]["minutes"] == 0.4
 
 
 @pytest.fixture(scope="module")

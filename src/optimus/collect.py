@@ -214,6 +214,8 @@ def _work(
 ) -> None:
     """Share attempts out to workers and count what comes back, until it is enough or the time is over."""
     workers = config.workers or available_cores()
+    # one in reserve for every worker, but none that would have to be waited for once the time is over
+    under_way = 2 * workers if config.max_seconds == math.inf else workers
     seeds, pending = _unattempted(store, config.seed), set[Future[_Outcome]]()
     with executor(workers, config.backend) as pool:
         try:
@@ -223,7 +225,7 @@ def _work(
                 late = time.perf_counter() > until
                 if late and not pending:
                     break
-                while not late and len(pending) < min(config.episodes - tally.successes, 2 * workers):
+                while not late and len(pending) < min(config.episodes - tally.successes, under_way):
                     pending.add(pool.submit(_attempt, config, next(seeds)))
                 done, pending = wait(pending, return_when=FIRST_COMPLETED)
                 for future in done:
