@@ -51,6 +51,16 @@ def test_unknown_names_list_the_valid_ones(tmp_path: Path) -> None:
     assert not (tmp_path / "d").exists()
 
 
+def test_numbers_that_make_no_sense_are_refused_before_anything_is_written(tmp_path: Path) -> None:
+    data = ("--out", str(tmp_path / "d"))
+    for option in ("--workers", "--seed", "--episodes", "--stall", "--speed"):
+        assert f"{option[2:]}: -1" in refused("collect", "stack", option, "-1", *data)
+    assert "speed: nan" in refused("collect", "stack", "--speed", "nan", *data)
+    assert "episodes: 0 is not 1 or more" in refused("bench", "expert", "stack", "--episodes", "0")
+    assert "seed: -1" in refused("show", "stack", "--seed", "-1", "--out", str(tmp_path / "p.png"))
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_missing_or_foreign_folders_are_named(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("not a dataset")
     assert "file" in refused("curate", str(tmp_path / "file"))
@@ -90,7 +100,7 @@ def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
 
 
 def test_bench_collect_render_step_and_action() -> None:
-    collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2", "--horizon", "30")
+    collected = result_of("bench", "collect", "stack", "--episodes", "2", "--workers", "2")
     assert collected["demonstrations"] == 2
     assert {"planning", "physics", "rendering", "writing"} <= set(collected["cpu_seconds_per_demonstration"])
     assert result_of("bench", "render", "stack", "--episodes", "3")["frame_ms"]["agentview"]["median"] > 0

@@ -1,5 +1,7 @@
 """The environment: Gymnasium's own checker, determinism, restarts, control."""
 
+from dataclasses import replace
+
 import gymnasium
 import numpy as np
 import pytest
@@ -11,7 +13,9 @@ from optimus.control.osc import OperationalSpace
 from optimus.control.pose_target import MAX_GAP
 from optimus.data.episode import PROPRIOCEPTION
 from optimus.env import ManipulationEnv
+from optimus.errors import ModelError
 from optimus.registration import gym_id
+from optimus.se3 import Pose
 from optimus.tasks import TASKS, task
 from optimus.world import compile_scene
 
@@ -72,6 +76,15 @@ def test_starts_differ_and_do_not_overlap() -> None:
         assert max(np.abs(np.array([a, b]) - (0.5, 0.0)).max(), 0) <= 0.08
         seen.add(tuple(a))
     assert len(seen) == 30
+
+
+@pytest.mark.parametrize("place", [(0.5, 0.3, 0.5), (2.0, 0.4, 0.02), (np.nan, 0.3, 0.02)])
+def test_a_start_that_is_not_at_rest_is_refused(place: tuple[float, float, float]) -> None:
+    problem = task("stack").problem(0)
+    drawn = replace(problem, poses={**problem.poses, "cubeA": Pose.of(place)})
+    env = ManipulationEnv(replace(task("stack"), draw=lambda rng: drawn), images=False)
+    with pytest.raises(ModelError, match="rests on nothing at the start"):
+        env.reset(seed=0)
 
 
 def test_the_tcp_goes_where_it_is_sent() -> None:

@@ -17,8 +17,8 @@ from optimus.logic import Atom
 from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
 from optimus.objects.furniture import bin_of, box_open_in_front
-from optimus.objects.shapes import block
-from optimus.planner import Budget, solve
+from optimus.objects.shapes import block, slab
+from optimus.planner import OUT_OF_TIME, Budget, _out_of_time, solve
 from optimus.predicates import On, Released, facts_of
 from optimus.rollout import Perturbation, rollout
 from optimus.scene import Fixture, Movable
@@ -26,6 +26,8 @@ from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.tasks import task
 from optimus.validate import validate
+
+WOOD = (0.5, 0.4, 0.3, 1.0)
 
 
 def plan_for(env: ManipulationEnv, seed: int) -> Plan:
@@ -110,12 +112,11 @@ def test_out_of_reach_is_said_with_the_names() -> None:
 @pytest.mark.parametrize("kind", ["bin", "cell"])
 def test_a_place_too_small_is_named_with_the_thing(kind: str) -> None:
     """A block 6 cm wide, and a place 3 cm wide with walls about it."""
-    wood = (0.5, 0.4, 0.3, 1.0)
-    shape = bin_of(0.05, 0.05, wood) if kind == "bin" else box_open_in_front(0.05, 0.05, 0.05, wood)
+    shape = bin_of(0.05, 0.05, WOOD) if kind == "bin" else box_open_in_front(0.05, 0.05, 0.05, WOOD)
     problem = task("pick-place").problem(0)
     small = Fixture("right", shape, (0.5, -0.25, shape.half_extents[2]))
     fixtures = (*(f for f in problem.scene.fixtures if f.name != "right"), small)
-    scene = replace(problem.scene, fixtures=fixtures, movables=(Movable("object", block(0.06, wood)),))
+    scene = replace(problem.scene, fixtures=fixtures, movables=(Movable("object", block(0.06, WOOD)),))
     start = Pose.of((0.5, 0.25, 0.05))
     drawn = replace(problem, scene=scene, poses={"object": start})
     env = ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn), images=False)
@@ -126,6 +127,30 @@ def test_a_place_too_small_is_named_with_the_thing(kind: str) -> None:
     assert isinstance(found, Infeasible)
     assert (found.reason, found.skill, found.objects) == ("no room", "place", ("object", "right")), found
     assert "right" in found.blockers
+
+
+CROWDS = {"two in a bin of 20 cm": (2, bin_of(0.2, 0.05, WOOD)), "four on a tray of 25 cm": (4, slab(0.125, 0.125, 0.02, WOOD))}
+
+
+@pytest.mark.parametrize("name", list(CROWDS))
+def test_several_things_find_room_where_the_first_one_must_not_stand_in_the_middle(name: str) -> None:
+    count, shape = CROWDS[name]
+    problem = task("pick-place").problem(0)
+    table = next(f for f in problem.scene.fixtures if f.name == "table")
+    things = tuple(Movable(f"block{i}", block(0.045, WOOD)) for i in range(count))
+    scene = replace(problem.scene, fixtures=(table, Fixture("box", shape, (0.5, -0.25, shape.half_extents[2]))), movables=things)
+    poses = {thing.name: Pose.of((0.4 + 0.06 * i, 0.1 + 0.1 * (i % 2), 0.0225)) for i, thing in enumerate(things)}
+    goal = frozenset(fact for name in poses for fact in (On(name, "box"), Released(name)))
+    drawn = replace(problem, scene=scene, poses=poses, goal=goal)
+    env = ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn, horizon=1000), images=False)
+    attempt = demonstrate(env, 0, ExpertConfig(check=True))
+    assert attempt.success, attempt.failure
+
+
+def test_what_was_in_the_way_when_time_ran_out_is_no_verdict() -> None:
+    found = _out_of_time(Infeasible("no room", "place", ("a", "b"), ("table",)))
+    assert str(found) == "planning time spent, so far: no room at place(a, b), in the way: table"
+    assert _out_of_time(found.__class__(OUT_OF_TIME)) == Infeasible(OUT_OF_TIME)
 
 
 def test_out_of_time_is_said_with_the_names() -> None:

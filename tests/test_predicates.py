@@ -1,13 +1,15 @@
 """Each predicate on states made by hand, where anyone can say what holds."""
 
+from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from optimus.objects.shapes import cylinder, unrolled
+from optimus.objects.shapes import block, cylinder, unrolled
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, facts_of
 from optimus.scene import Scene
 from optimus.se3 import Pose
@@ -15,6 +17,7 @@ from optimus.state import Held, State
 from optimus.tasks import task
 
 SCENE = task("stack").problem(0).scene
+GREY = (0.5, 0.5, 0.5, 1.0)
 ANGLES = st.floats(-np.pi, np.pi)
 FAR = Pose.of((0.5, 0.0, 0.4), (np.pi, 0.0, 0.0))
 
@@ -65,6 +68,16 @@ def test_a_body_of_revolution_is_as_high_however_it_is_rolled(heading: float, le
     rims = np.array([[0.03 * np.cos(a), 0.03 * np.sin(a), z] for a in around for z in (-0.05, 0.05)])
     lowest = float((rims @ rotation.T)[:, 2].min())
     assert shape.above(rotation) == pytest.approx(-lowest, abs=1e-5)
+
+
+@given(heading=ANGLES, lean=st.floats(0.0, np.pi), roll=ANGLES)
+def test_how_far_a_turned_thing_reaches_is_what_its_points_say(heading: float, lean: float, roll: float) -> None:
+    rotation = Rotation.from_euler("zxz", (heading, lean, roll)).as_matrix()
+    around = np.linspace(0.0, 2 * np.pi, 2000)
+    rims = [0.02 * np.cos(around), 0.02 * np.sin(around), np.full(2000, 0.06)]
+    assert abs(cylinder(0.02, 0.12, GREY).reach(rotation) - np.hypot(*(rotation @ rims)[:2]).max()) < 1e-6
+    corners = np.array(list(product((-0.02, 0.02), (-0.02, 0.02), (-0.02, 0.02)))).T
+    assert np.isclose(block(0.04, GREY).reach(rotation), np.hypot(*(rotation @ corners)[:2]).max())
 
 
 @given(heading=ANGLES, lean=st.floats(1.0, 2.1), roll=ANGLES)

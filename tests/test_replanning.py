@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from optimus.closed_loop import EMPTY, MOVED
+from optimus.closed_loop import EMPTY, MOVED, SHARED, ClosedLoop
 from optimus.control import SCALE
 from optimus.data.episode import Observation
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.expert import PlanFollower
+from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.plan import Plan
-from optimus.planner import solve
+from optimus.planner import Budget, solve
 from optimus.se3 import Pose
 from optimus.skills import Workspace
 from optimus.tasks import task
@@ -140,6 +140,17 @@ def test_what_leans_where_it_is_to_go_is_not_there_yet() -> None:
     assert not isinstance(plan, Plan) or plan.steps  # whatever can be done, nothing is not it
 
 
+def test_planning_again_may_take_as_long_as_planning_takes() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=1)
+    plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(1))
+    assert isinstance(plan, Plan)
+    for took, may_take in ((0.01, SHARED.seconds), (1.0, 3.0), (9.0, 10.0)):
+        asked = replace(plan, stats={**plan.stats, "seconds": took})
+        loop = ClosedLoop(env, Workspace(env.world), asked, TimeLaw(), np.random.default_rng(1), Budget(10.0), SHARED)
+        assert loop._budget.seconds == pytest.approx(may_take)
+
+
 def test_where_there_is_no_plan_any_more_it_goes_home() -> None:
     env = ManipulationEnv(task("stack"), images=False)
     env.reset(seed=1)
@@ -161,6 +172,7 @@ def test_where_there_is_no_plan_any_more_it_goes_home() -> None:
     hand = attempt.episode.observations["robot0_eef_pos"]
     assert np.linalg.norm(hand - home, axis=1).max() > 0.1
     assert np.linalg.norm(hand[-1] - home) < 0.06
+    assert attempt.info["no_plan"] == "no sequence of skills reaches the goal"
 
 
 @pytest.mark.parametrize("name", ["stack-three", "pick-place-two"])

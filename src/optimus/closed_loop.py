@@ -54,7 +54,9 @@ class Vigilance:
     vain: int = 6
     """... and how often before the episode ends; at home, twice."""
     seconds: float = 3.0
-    """Planning again is given up after this [s of CPU]."""
+    """Planning again is given up after this [s of CPU], or ..."""
+    times: float = 3.0
+    """... so many times what the first plan took, if that is longer."""
 
 
 ALONE = Vigilance()
@@ -82,8 +84,11 @@ class ClosedLoop:
         """Steps that it went home because its plan did not hold any more and there was no other yet."""
         self.errors: list[float] = []
         """Distance of the tcp from the planned path at each step of motion [m]."""
+        self.infeasible = ""
+        """Why there was no plan when last there was none."""
         self._env, self._workspace, self._rng, self._law = env, workspace, rng, law
-        self._budget, self._vigilance = replace(budget, seconds=vigilance.seconds), vigilance
+        seconds = max(vigilance.seconds, vigilance.times * plan.stats["seconds"])
+        self._budget, self._vigilance = replace(budget, seconds=min(budget.seconds, seconds)), vigilance
         self._wait = self._vain = 0
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
@@ -143,6 +148,7 @@ class ClosedLoop:
     def _plan_again(self, observation: Observation, answer: NDArray[np.float32] | None) -> NDArray[np.float32] | None:
         plan = self._solve(self._env.state())
         if isinstance(plan, Infeasible):
+            self.infeasible = str(plan)
             self._empty = self._stuck = self._moved = 0
             if not self._vigilance.others:
                 return answer

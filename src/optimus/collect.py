@@ -20,7 +20,7 @@ from optimus.data.episode import BINARY, OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.errors import CheckpointError, DatasetError, StorageError, WorkerError
+from optimus.errors import CheckpointError, DatasetError, StorageError, WorkerError, require_at_least
 from optimus.robots import Robot
 from optimus.rollout import Perturbation
 from optimus.tasks import task as task_named
@@ -63,6 +63,10 @@ class CollectConfig:
     """Render what the cameras see; without, `optimus.rerender` can do so later from the states."""
     backend: str = "local"
     """Where the workers are; a name of `optimus.workers.BACKENDS`. The dataset does not depend on it."""
+
+    def __post_init__(self) -> None:
+        require_at_least(1, episodes=self.episodes)
+        require_at_least(0, seed=self.seed, workers=self.workers, max_seconds=self.max_seconds)
 
 
 @dataclass(frozen=True)

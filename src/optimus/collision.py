@@ -14,7 +14,11 @@ from optimus.world import World
 ROBOT_DEPTH = 0.0005
 """Contacts of the robot shallower than this are touches, not collisions [m]."""
 HELD_DEPTH = 0.003
-"""Likewise for the thing in the hand, which rests on its support when it is taken and when it is let go [m]."""
+"""Likewise of what is held with what is below, on which it rests when it is taken and when it is let go [m] ..."""
+ASIDE_DEPTH = 0.001
+"""... and with what is beside it [m]."""
+UPRIGHT = 0.7
+"""The least vertical component of a contact's normal that is still of something below."""
 
 BOX_SLACK = 0.003
 """The tcp may be this far outside the scene's box [m]."""
@@ -88,7 +92,8 @@ class CollisionChecker:
         gripped = with_held & self._finger_geom[geoms].any(axis=1)
         if self._bar_geom >= 0:  # of a door, only the bar is there to be gripped
             gripped &= (geoms == self._bar_geom).any(axis=1)
-        limit = np.where(with_held & (self._bar_geom < 0), HELD_DEPTH, ROBOT_DEPTH)
+        resting = np.abs(contact.frame[:n, 2]) > UPRIGHT
+        limit = np.where(with_held & (self._bar_geom < 0), np.where(resting, HELD_DEPTH, ASIDE_DEPTH), ROBOT_DEPTH)
         bad = (robot | held).any(axis=1) & ~gripped & (depth > limit)
         if not bad.any():
             return None

@@ -167,6 +167,7 @@ def demonstrate(
 def _facts(expert: ClosedLoop, plan: Plan) -> dict[str, Any]:
     errors = np.array(expert.errors or [0.0])
     return {
+        **({"no_plan": expert.infeasible} if expert.infeasible else {}),
         "retries": len(expert.retries),
         "retried_because": expert.retries,
         "stale_labels": expert.stale,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -28,11 +28,11 @@ from optimus.data.episode import (
     Observation,
 )
 from optimus.data.turns import as_columns
-from optimus.errors import ModelError, UnknownNameError
+from optimus.errors import ModelError, UnknownNameError, require_at_least
 from optimus.render import Rig
 from optimus.robots import Robot
 from optimus.scene import Scene
-from optimus.se3 import Array
+from optimus.se3 import Array, Pose
 from optimus.spec import PHYSICS_DT
 from optimus.state import State
 from optimus.task import Problem, Task
@@ -44,6 +44,8 @@ RECORDED_STATE = mujoco.mjtState.mjSTATE_FULLPHYSICS
 """Time, positions, velocities: what episodes keep of every step."""
 SETTLE_SECONDS = 0.25
 """Physics run after placing the objects, before the first observation."""
+STAYS = 0.03
+"""How far a thing may come away from its start until it is at rest [m]."""
 
 
 @lru_cache(maxsize=8)
@@ -119,6 +121,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Start the problem of `seed` (drawn at random without one). `options["state"]` `(n,)`: a physics state as
         `snapshot()` gives it, to start from instead of the problem's own."""
+        if seed is not None:
+            require_at_least(0, seed=seed)
         super().reset(seed=seed)
         drawn = int(self.np_random.integers(2**31)) if seed is None else seed
         self._start(self.task.problem(drawn, self._robot), drawn)
@@ -129,11 +133,21 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             raise ModelError(f"{self.task.name}, seed {drawn}: {overlap}; let the task draw starts that are apart")
         self.controller.reset(self.data)
         self._advance(gripper=-1.0, substeps=round(SETTLE_SECONDS / PHYSICS_DT))
+        if moved := self._moved_from(self.problem.poses):
+            raise ModelError(f"{self.task.name}, seed {drawn}: {moved}; let the task draw starts that are at rest")
         if options and "state" in options:
             mujoco.mj_setState(self.world.model, self.data, np.asarray(options["state"], np.float64), FULL_STATE)
         mujoco.mj_forward(self.world.model, self.data)
         self.controller.reset(self.data)
         return self.observe(), self._info()
+
+    def _moved_from(self, poses: Mapping[str, Pose]) -> str:
+        """Which thing did not stay where the problem puts it; empty if all did."""
+        for name, now in self.state().poses.items():
+            away = float(np.linalg.norm(now.pos - poses[name].pos))
+            if not away < STAYS:
+                return f"{name} rests on nothing at the start: it came {away:.2f} m away in {SETTLE_SECONDS} s"
+        return ""
 
     def step(
         self, action: NDArray[np.float32]

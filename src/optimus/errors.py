@@ -7,6 +7,13 @@ class OptimusError(Exception):
     """The root of every error that a user can cause and mend."""
 
 
+def require_at_least(least: float, **numbers: float) -> None:
+    """`OptimusError` that names the first of the numbers which is less, or none at all."""
+    for name, number in numbers.items():
+        if not number >= least:
+            raise OptimusError(f"{name.replace('_', ' ')}: {number} is not {least} or more")
+
+
 class UnknownNameError(OptimusError):
     """A name that is not one of the known ones; the message lists them."""
 

@@ -23,6 +23,7 @@ from optimus.state import State
 
 REACH = {"its joint limits", "the workspace's edge"}
 """What limits the arm where nothing is in its way."""
+OUT_OF_TIME = "planning time spent"
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,7 @@ def solve(
         try:
             steps = binding.bind(skeleton, state)
         except OutOfTime:
-            return _explain(binding) if binding.culprit or tried == 0 else last
+            return _out_of_time(_explain(binding) if binding.culprit or tried == 0 else last)
         if steps is not None:
             stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
@@ -233,11 +234,16 @@ def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
     return found
 
 
+def _out_of_time(last: Infeasible) -> Infeasible:
+    """What was in the way so far need not have stayed so."""
+    return last if last.reason == OUT_OF_TIME else replace(last, reason=f"{OUT_OF_TIME}, so far: {last.reason}")
+
+
 def _explain(binding: _Binding) -> Infeasible:
     o = binding.aim or binding.culprit
     if o is None:
         o = binding.trying
-        return Infeasible("planning time spent", o.skill, o.args) if o else Infeasible("planning time spent")
+        return Infeasible(OUT_OF_TIME, o.skill, o.args) if o else Infeasible(OUT_OF_TIME)
     blockers = tuple(name for name, _ in binding.blame.most_common())
     reason = "no room" if binding.aim or not blockers else "no collision-free way"
     if blockers and REACH.issuperset(blockers):

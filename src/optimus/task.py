@@ -124,7 +124,7 @@ class Task:
     def over(self, name: str, objects: Objects) -> Task:
         """The same task, under another name, with those objects. `ModelError` if it has none to choose."""
         if self.draw_with is None:
-            raise ModelError(f"{self.name} has objects of its own: no others can be chosen for it")
+            raise ModelError(f"{self.name} has objects of its own: others are chosen by `draw_with`, which it lacks")
         return replace(self, name=name, draw=partial(self.draw_with, objects))
 
     def problem(self, seed: int, robot: Robot | None = None) -> Problem:
@@ -141,7 +141,7 @@ def pick_one(objects: Objects, rng: np.random.Generator) -> str:
 
 def footprint(shape: Shape) -> float:
     """The radius [m] of the disc that a standing thing covers, whatever its yaw."""
-    return shape.half_extents[0] if shape.symmetric else float(np.hypot(*shape.half_extents[:2]))
+    return shape.reach(np.eye(3))
 
 
 def sample_apart(

@@ -12,7 +12,7 @@ from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExec
 from functools import partial
 from typing import Any, TypeVar
 
-from optimus.errors import OptimusError, UnknownNameError, WorkerError
+from optimus.errors import OptimusError, UnknownNameError, WorkerError, require_at_least
 
 T = TypeVar("T")
 
@@ -118,6 +118,7 @@ def executor(workers: int, backend: str = "local") -> Executor:
     Processes are spawned, not forked: a GL context and a thread pool do not survive a fork. When one is killed, the futures of its
     jobs end with `BrokenExecutor`, and those of the others may.
     """
+    require_at_least(0, workers=workers)
     if require_backend(backend) == "ray":
         return _Ray(workers)
     if workers <= 1:

@@ -10,6 +10,7 @@ from optimus.conditions import USUAL, Conditions
 from optimus.control import require_control
 from optimus.data.episode import OSC
 from optimus.env import ManipulationEnv
+from optimus.errors import require_at_least
 from optimus.robots import Robot
 from optimus.tasks import task as task_named
 
@@ -36,6 +37,8 @@ class BenchConfig:
     """What episodes are played under."""
 
     def __post_init__(self) -> None:
+        require_at_least(1, episodes=self.episodes)
+        require_at_least(0, seed=self.seed, workers=self.workers)
         task_named(self.task)
         require_control(self.control)
 

@@ -135,12 +135,23 @@ class EpisodeStore:
     def _require_same(self, wanted: dict[str, Any]) -> None:
         have = {"task": self.task, "cameras": list(self.cameras), **self.config}
         want = {"task": wanted["task"], "cameras": wanted["cameras"], **wanted["config"]}
-        for key in sorted(have.keys() | want.keys()):
-            if have.get(key) != want.get(key):
-                raise DatasetError(
-                    f"{self.path} was collected with {key} = {have.get(key)!r}, not {want.get(key)!r}; "
-                    "use the same settings or another folder"
-                )
+        if differs := _difference(have, want):
+            key, there, here = differs
+            raise DatasetError(
+                f"{self.path} was collected with {key} = {there!r}, not {here!r}; use the same settings or another folder"
+            )
+
+
+def _difference(have: dict[str, Any], want: dict[str, Any]) -> tuple[str, Any, Any] | None:
+    """The first key in which two records differ, as `outer.inner` where they are nested, and what each says; the task first."""
+    for key in sorted(have.keys() | want.keys(), key=lambda name: (name != "task", name)):
+        there, here = have.get(key), want.get(key)
+        if isinstance(there, dict) and isinstance(here, dict):
+            if inner := _difference(there, here):
+                return f"{key}.{inner[0]}", *inner[1:]
+        elif there != here:
+            return key, there, here
+    return None
 
 
 def installed_versions() -> dict[str, str]:

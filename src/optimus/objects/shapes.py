@@ -108,6 +108,19 @@ class Shape:
         up = min(1.0, abs(float(rotation[2, 2])))
         return self.half_extents[0] * float(np.sqrt(1.0 - up * up)) + self.half_extents[2] * up
 
+    def reach(self, rotation: Array) -> float:
+        """The radius of the disc about its centre that it covers, seen from above, when it is turned by `rotation` `(3, 3)` [m]: of
+        the bounding box or, of a body of revolution, of the bounding cylinder."""
+        half = np.array(self.half_extents)
+        if not self.symmetric:
+            corners = [rotation[:2] @ (half * (x, y, 1.0)) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+            return max(float(np.hypot(*corner)) for corner in corners)
+        radius, up = half[0], min(1.0, abs(float(rotation[2, 2])))
+        out = half[2] * np.sqrt(1.0 - up * up)
+        # the farthest point of the upper rim, at the cosine `c` from the way that the axis leans
+        c = 1.0 if out * up >= radius * (1.0 - up * up) else out * up / (radius * (1.0 - up * up))
+        return float(np.sqrt((out + radius * up * c) ** 2 + radius**2 * (1.0 - c * c)))
+
     def level(self, rotation: Array) -> float:
         """How nearly it stands, or lies, flat when it is turned by `rotation` `(3, 3)`: the cosine of what is missing."""
         if not self.symmetric:

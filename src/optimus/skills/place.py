@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import ClassVar
@@ -14,14 +14,16 @@ from optimus.motion.plan import Segment
 from optimus.objects.shapes import Surface
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
-from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
+from optimus.se3 import Array, Pose, error_between, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
 from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import State
 
 RELEASE_GAP = 0.001
 """Things are let go this far above their support [m]."""
 SPACING = 0.05
-"""Between the candidate spots of a surface [m]."""
+"""Between the candidate spots of a surface [m]; the outermost ones are besides."""
+SAME_SPOT = 0.005
+"""[m]"""
 AMPLE = 0.25
 """A surface with more than this to every side [m] is large."""
 QUICK_TARGETS = 10
@@ -54,7 +56,7 @@ class Place:
         shape = scene.shape_of(support)
         assert shape.surface is not None
         frame = pose_of(scene, state, support)
-        radius = float(np.hypot(*scene.shape_of(thing).half_extents[:2]))
+        radius = scene.shape_of(thing).reach(_stood_up(state, thing).matrix @ _in_hand(state).matrix)
         home = frame.inverse.transform(workspace.home.pos)
         for x, y in _grid(shape.surface, radius + MARGIN, home):
             point = frame.transform((x, y, shape.surface.z))
@@ -63,14 +65,20 @@ class Place:
                 yield point
 
     def _apart(self, workspace: Workspace, state: State, point: Array, radius: float, other: str) -> bool:
-        reach = radius + float(np.hypot(*workspace.scene.shape_of(other).half_extents[:2])) + MARGIN
+        reach = radius + workspace.scene.shape_of(other).reach(state.poses[other].matrix) + MARGIN
         return bool(np.linalg.norm(state.poses[other].pos[:2] - point[:2]) > reach)
 
     def targets(
-        self, workspace: Workspace, state: State, thing: str, support: str, rng: np.random.Generator
+        self,
+        workspace: Workspace,
+        state: State,
+        thing: str,
+        support: str,
+        rng: np.random.Generator,
+        done: Sequence[Array] = (),
     ) -> Iterator[Pose]:
-        """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical."""
-        assert state.held is not None
+        """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical. None that is
+        left at a spot that has come to be one of those `done`, `(3,)` [m]."""
         hand = _stood_up(state, thing)
         upright = _levelled(hand, workspace.home)
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
@@ -79,9 +87,11 @@ class Place:
         shape = workspace.scene.shape_of(thing)
         for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
             for yaw in workspace.order(turns, rng):
+                if any(np.hypot(*(point - other)[:2]) < SAME_SPOT for other in done):
+                    break
                 quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
                 # the thing, not the tcp, goes over the spot
-                put = Pose(np.zeros(3), quat) @ state.held.tcp_from_object
+                put = Pose(np.zeros(3), quat) @ _in_hand(state)
                 yield Pose(point - put.pos + (0.0, 0.0, shape.above(put.matrix) + RELEASE_GAP), quat)
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
@@ -94,9 +104,17 @@ class Place:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         thing, support = args
-        targets = self.targets(workspace, state, thing, support, rng)
-        for way, carry in workspace.approaches("carry", state, targets, True, rng):
-            yield from self._release(workspace, state, thing, way, carry, rng)
+        done: list[Array] = []
+        """Where it could be put, and what had to be done then could not: to turn it there is tried last."""
+        given: list[Pose] = []
+        for seen in (done, ()):
+            targets = self.targets(workspace, state, thing, support, rng, seen)
+            fresh = (pose for pose in targets if not any(_same(pose, other) for other in given))
+            for way, carry in workspace.approaches("carry", state, fresh, True, rng):
+                for refinement in self._release(workspace, state, thing, way, carry, rng):
+                    yield refinement
+                    done.append((carry.end @ _in_hand(state)).pos)
+                    given.append(carry.end)
 
     def _release(
         self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator
@@ -131,12 +149,22 @@ def _grid(surface: Surface, inset: float, home: Array) -> list[tuple[float, floa
     middle of a smaller surface, then outwards. All in the surface's frame [m]."""
     spans, centre = [], []
     for half, at in ((surface.half_x, home[0]), (surface.half_y, home[1])):
-        n = max(0, int((half - inset) / SPACING))
-        spans.append([k * SPACING for k in range(-n, n + 1)])
+        n, outermost = max(0, int((half - inset) / SPACING)), max(0.0, half - inset)
+        spans.append(sorted({k * SPACING for k in range(-n, n + 1)} | {-outermost, outermost}))
         ample = max(0.0, half - AMPLE)
         centre.append(min(max(float(at), -ample), ample))
     points = [(x, y) for x in spans[0] for y in spans[1]]
     return sorted(points, key=lambda p: (round(float(np.hypot(p[0] - centre[0], p[1] - centre[1])), 6), p))
+
+
+def _same(a: Pose, b: Pose) -> bool:
+    return bool(np.allclose(error_between(a, b), 0.0, atol=1e-6))
+
+
+def _in_hand(state: State) -> Pose:
+    """`tcp_from_object` of what is held."""
+    assert state.held is not None
+    return state.held.tcp_from_object
 
 
 def _heading(tcp: Pose) -> float | None:
