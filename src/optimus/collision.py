@@ -41,6 +41,7 @@ class CollisionChecker:
         bodies = world.model.geom_bodyid
         self._robot_geom = np.isin(bodies, list(world.robot_bodies))
         self._finger_geom = np.isin(bodies, [*world.finger_bodies, world.hand_body])
+        self._door_geom = np.isin(bodies, [world.body_ids[door.name] for door in world.scene.doors])
         self._held_geom = np.zeros_like(self._robot_geom)
         self._held: tuple[int, Pose] | None = None
         self._bar_geom = -1
@@ -92,7 +93,7 @@ class CollisionChecker:
         gripped = with_held & self._finger_geom[geoms].any(axis=1)
         if self._bar_geom >= 0:  # of a door, only the bar is there to be gripped
             gripped &= (geoms == self._bar_geom).any(axis=1)
-        resting = np.abs(contact.frame[:n, 2]) > UPRIGHT
+        resting = (np.abs(contact.frame[:n, 2]) > UPRIGHT) & ~self._door_geom[geoms].any(axis=1)  # nothing rests on a door
         limit = np.where(with_held & (self._bar_geom < 0), np.where(resting, HELD_DEPTH, ASIDE_DEPTH), ROBOT_DEPTH)
         bad = (robot | held).any(axis=1) & ~gripped & (depth > limit)
         if not bad.any():
