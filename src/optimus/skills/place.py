@@ -108,6 +108,8 @@ class Place:
         """Where it could be put, and what had to be done then could not: to turn it there is tried last."""
         given: list[Pose] = []
         for seen in (done, ()):
+            if seen is not done and not done:
+                return  # nothing was left out
             targets = self.targets(workspace, state, thing, support, rng, seen)
             fresh = (pose for pose in targets if not any(_same(pose, other) for other in given))
             for way, carry in workspace.approaches("carry", state, fresh, True, rng):
