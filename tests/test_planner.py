@@ -1,5 +1,6 @@
 """Plans, and what physics says of them."""
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -120,7 +121,9 @@ def test_a_place_too_small_is_named_with_the_thing(kind: str) -> None:
     drawn = replace(problem, scene=scene, poses={"object": start})
     env = ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn), images=False)
     env.reset(seed=0)
-    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0), Budget(60.0))
+    began = time.process_time()
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+    assert time.process_time() - began < 10.0
     assert isinstance(found, Infeasible)
     assert (found.reason, found.skill, found.objects) == ("no room", "place", ("object", "right")), found
     assert "right" in found.blockers

@@ -163,7 +163,7 @@ def test_killed_at_random_moments_it_ends_with_the_same_bits(uninterrupted: Path
     rng = np.random.default_rng(0)
     run = tmp_path / "run"
     script = CHILD.format(tests=str(Path(__file__).parent), dataset=str(dataset), run=str(run))
-    for _ in range(3):
+    for _ in range(4):
         child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
         assert child.stdout is not None
         for _ in range(int(rng.integers(2, 6))):  # a few steps, then somewhere within one
