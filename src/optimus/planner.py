@@ -57,6 +57,8 @@ class _Binding:
     """What it was at when it ran out of time."""
     vain: dict[Hashable, Counter[str]] = field(default_factory=dict)
     """Pick-ups known to be for nothing, and what was in the way of what they were for."""
+    beyond_help: str | None = None
+    """What the latest failure was about, if it would fail as well from wherever else this stood."""
 
     def bind(self, skeleton: Skeleton, state: State, depth: int = 0) -> tuple[Step, ...] | None:
         """The steps that carry `skeleton` out from `state`, or None."""
@@ -68,12 +70,13 @@ class _Binding:
         case = (operator, aim, _surroundings(self.workspace, state, operator.args[0]))
         if case in self.vain:
             self._remember(skeleton, depth, self.vain[case], aim)
+            self.beyond_help = operator.args[0]
             return None
         self.workspace.failures.clear()
         answers: list[bool] = []
         self.workspace.purpose = None if aim is None else self._purpose(aim, answers)
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
-            rest, self.involved = None, set(operator.args)
+            rest, self.involved, self.beyond_help = None, set(operator.args), None
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):
                 rest = self.bind(skeleton[1:], after, depth + 1)
             if rest is not None:
@@ -86,6 +89,7 @@ class _Binding:
         blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
         if in_vain:
             self.vain[case] = blame
+        self.beyond_help = operator.args[0] if in_vain else None
         self._remember(skeleton, depth, blame, aim if in_vain else None)
         return None
 
@@ -115,7 +119,9 @@ class _Binding:
 
     def _could_help(self, operator: Operator) -> bool:
         """Whether to do `operator` otherwise could undo the latest failure: not if it moved a thing that had nothing to do with it,
-        nor stands now where something was to go."""
+        nor stands now where something was to go; nor if it put elsewhere what can be put nowhere from there."""
+        if self.beyond_help == operator.args[0]:
+            return False
         things = operator.args if puts_down(operator) else operator.args[:1]
         return operator.args[0] not in self.workspace.scene.movable_names or not self.involved.isdisjoint(things)
 
