@@ -15,11 +15,12 @@ from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import ModelError, UnknownNameError
 from optimus.expert import TimeLaw
+from optimus.goals import require_consistent
 from optimus.logic import Atom
 from optimus.motion.plan import Plan
 from optimus.objects.shapes import cup
 from optimus.planner import Budget, solve
-from optimus.predicates import PREDICATES, holds
+from optimus.predicates import PREDICATES, HandEmpty, Holding, On, Open, Shut, holds
 from optimus.rollout import rollout
 from optimus.skills import SKILLS, Workspace
 from optimus.task import Task
@@ -62,12 +63,37 @@ def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
         replace(problem, goal=frozenset({Atom("Under", ("cup", "left"))}))
     with pytest.raises(ModelError, match="poses"):
         replace(problem, poses={})
+    with pytest.raises(ModelError, match=r"names of their own.*: cup"):
+        replace(swap.SCENE, movables=(*swap.SCENE.movables, swap.SCENE.movables[0]))
+    with pytest.raises(ModelError, match="left is behind the door hatch; the scene's are none"):
+        replace(swap.SCENE, fixtures=tuple(replace(f, door="hatch" if f.name == "left" else None) for f in swap.SCENE.fixtures))
+    with pytest.raises(ModelError, match=r"cylinder of half-sizes .* above zero"):
+        cup(0.005, 0.1, (1, 0, 0, 1))
+    with pytest.raises(ModelError, match=r"SWAP: `draw` gives a tuple, where a Problem is wanted"):
+        replace(swap.SWAP, draw=lambda rng: (problem, rng)).problem(0)
     together = replace(problem, poses=dict.fromkeys(problem.poses, problem.poses["cup"]))
     overlapping = replace(swap.SWAP, draw=lambda rng: together)
     with pytest.raises(ModelError, match=r"cup and block overlap by \d+ mm|block and cup overlap by \d+ mm"):
         ManipulationEnv(overlapping, images=False).reset(seed=0)
     with pytest.raises(UnknownNameError, match="NOTHING"):
         task("swap_task:NOTHING")
+
+
+CONTRADICTIONS = {
+    "cup on left and on right at once": {On("cup", "left"), On("cup", "right")},
+    "block on cup on block": {On("cup", "block"), On("block", "cup")},
+    "cup held and let go of": {Holding("cup"), On("cup", "left")},
+    "block held and let go of": {Holding("block"), HandEmpty()},
+    "block and cup held": {Holding("cup"), Holding("block")},
+    "door open and shut at once": {Open("door"), Shut("door")},
+    "a and b on c, which": {On("a", "c"), On("b", "c")},
+}
+
+
+@pytest.mark.parametrize("said", list(CONTRADICTIONS))
+def test_a_goal_that_contradicts_itself_is_refused(said: str) -> None:
+    with pytest.raises(ModelError, match=f"the goal .*{said}"):
+        require_consistent(frozenset(CONTRADICTIONS[said]), {"cup", "block", "a", "b", "c"})
 
 
 def test_what_the_hand_does_not_span_is_said_and_what_it_does_is_moved(swap: ModuleType) -> None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from optimus.errors import require_at_least
 from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.objects.shapes import stands, unrolled
@@ -35,6 +36,9 @@ class Budget:
     skeletons: int = 50
     refinements: int = 8
     """Ways of one skill tried before the planner backtracks to the one before it."""
+
+    def __post_init__(self) -> None:
+        require_at_least(0, planning_seconds=self.seconds)
 
 
 @dataclass(eq=False)

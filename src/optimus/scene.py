@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from optimus.errors import ModelError
 from optimus.objects.shapes import Shape, Vec3
 from optimus.robots import Robot
 from optimus.se3 import Array, Pose, quat_from_rotvec
@@ -109,6 +111,14 @@ class Scene:
     low: Vec3 = (0.15, -0.55, 0.005)
     """The box that the hand's target stays in [m]: below it the fingertips would meet the table."""
     high: Vec3 = (0.85, 0.55, 0.65)
+
+    def __post_init__(self) -> None:
+        things = Counter(thing.name for thing in (*self.fixtures, *self.movables, *self.doors))
+        if twice := sorted(name for name, times in things.items() if times > 1):
+            raise ModelError(f"a scene's things have names of their own; of one name there is more than one: {', '.join(twice)}")
+        for fixture in self.fixtures:
+            if fixture.door is not None and fixture.door not in (doors := [door.name for door in self.doors]):
+                raise ModelError(f"{fixture.name} is behind the door {fixture.door}; the scene's are {', '.join(doors) or 'none'}")
 
     def shape_of(self, name: str) -> Shape:
         for thing in (*self.movables, *self.fixtures):

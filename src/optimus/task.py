@@ -10,6 +10,7 @@ import numpy as np
 
 from optimus.data.episode import TASKS_OWN
 from optimus.errors import ModelError
+from optimus.goals import require_consistent
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
 from optimus.predicates import PREDICATES, On, Released, holds, kinds_of
@@ -51,6 +52,7 @@ class Problem:
                     raise ModelError(f"{atom} is asked for, but {name} is no {kind}; those are {', '.join(kinds[kind]) or 'none'}")
         for name in sorted({atom.args[0] for atom in self.goal if atom.predicate == On.name}):
             _require_spanned(self.scene, name)
+        require_consistent(self.goal, movable)
 
     @cached_property
     def instruction(self) -> str:
@@ -130,6 +132,8 @@ class Task:
     def problem(self, seed: int, robot: Robot | None = None) -> Problem:
         """The problem of that seed: the same one every time, on every machine. `robot` takes the place of the task's own."""
         problem = self.draw(np.random.default_rng([seed, 0x0971]))
+        if not isinstance(problem, Problem):
+            raise ModelError(f"{self.name}: `draw` gives a {type(problem).__name__}, where a Problem is wanted")
         return problem if robot is None else replace(problem, scene=replace(problem.scene, robot=robot))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from optimus.conditions import USUAL, Conditions
@@ -11,6 +11,7 @@ from optimus.control import require_control
 from optimus.data.episode import OSC
 from optimus.env import ManipulationEnv
 from optimus.errors import require_at_least
+from optimus.planner import Budget
 from optimus.robots import Robot
 from optimus.tasks import task as task_named
 
@@ -35,6 +36,8 @@ class BenchConfig:
     """Find out where planning time goes."""
     conditions: Conditions = USUAL
     """What episodes are played under."""
+    budget: Budget = field(default_factory=Budget)
+    """What the expert's plans may cost."""
 
     def __post_init__(self) -> None:
         require_at_least(1, episodes=self.episodes)

@@ -46,7 +46,7 @@ def summary_of(attempts: list[Attempt]) -> dict[str, Any]:
 
 def _attempt(config: BenchConfig, seed: int) -> Attempt:
     mishap = config.conditions.mishap(seed)
-    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(check=config.check), mishap=mishap)
+    attempt = demonstrate(config.env(images=False), seed, ExpertConfig(budget=config.budget, check=config.check), mishap=mishap)
     return replace(attempt, info={**attempt.info, "mishap_at": mishap.at})
 
 

@@ -15,6 +15,7 @@ from optimus.cli.options import (
     FirstSeed,
     Json,
     ObjectsName,
+    PlanningSeconds,
     RobotName,
     TaskName,
     Workers,
@@ -47,6 +48,7 @@ def collect(
     motion: Literal["straight", "sampled"] = "straight",
     speed: float = 0.35,
     check: bool = False,
+    planning_seconds: PlanningSeconds = 10.0,
     policy: Path | None = None,
     control: ControlName = "osc",
     robot: RobotName = None,
@@ -83,12 +85,14 @@ def collect(
     from optimus.correct import Turns
     from optimus.demonstrate import ExpertConfig
     from optimus.expert import TimeLaw
+    from optimus.planner import Budget
     from optimus.rollout import Perturbation
     from optimus.skills import Style
     from optimus.tasks import with_objects
 
     style, law = Style(grasps=grasps, ik=ik, motion=motion), TimeLaw(speed=speed, stall=stall, gripper=gripper)
-    expert = ExpertConfig(style, law, perturbation=Perturbation() if perturb else None, check=check, mishaps=mishaps)
+    pushed = Perturbation() if perturb else None
+    expert = ExpertConfig(style, law, Budget(planning_seconds), pushed, check, mishaps)
     config = CollectConfig(
         task=with_objects(task, objects),
         out=out,

@@ -14,6 +14,7 @@ from optimus.cli.options import (
     Mass,
     ObjectsName,
     PerturbName,
+    PlanningSeconds,
     PresetName,
     RobotName,
     Workers,
@@ -40,6 +41,7 @@ def bench(
     workers: Workers = 1,
     check: bool = False,
     where: bool = False,
+    planning_seconds: PlanningSeconds = 10.0,
     control: ControlName = "osc",
     robot: RobotName = None,
     objects: ObjectsName = None,
@@ -73,6 +75,7 @@ def bench(
     """
     from optimus.bench import BENCHES, BenchConfig
     from optimus.conditions import Conditions
+    from optimus.planner import Budget
     from optimus.tasks import with_objects
 
     conditions = Conditions(perturb, friction, mass)
@@ -90,8 +93,8 @@ def bench(
     if task is None:
         raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        named = with_objects(task, objects)
-        config = BenchConfig(named, episodes, seed, workers, control, chosen_robot(robot), check, where, conditions)
+        named, budget = with_objects(task, objects), Budget(planning_seconds)
+        config = BenchConfig(named, episodes, seed, workers, control, chosen_robot(robot), check, where, conditions, budget)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))
 

@@ -37,6 +37,7 @@ Backend = Annotated[
     Literal["local", "ray"],
     arg(help="where the workers are: here, or in Ray: the cluster that RAY_ADDRESS names, else one of its own"),
 ]
+PlanningSeconds = Annotated[float, arg(help="CPU seconds that one plan may take; with many things in the scene, more")]
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from optimus.errors import ModelError
 from optimus.se3 import Array, Pose, quat_from_matrix
 
 SECTORS = 12
@@ -45,6 +46,11 @@ class Part:
     pos: Vec3 = (0.0, 0.0, 0.0)
     quat: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     mesh: Mesh | None = None
+
+    def __post_init__(self) -> None:
+        if not all(0.0 < size < np.inf for size in self.size):
+            sizes = ", ".join(f"{size:.4g}" for size in self.size)
+            raise ModelError(f"a {self.kind} of half-sizes {sizes} m: each has to be above zero")
 
 
 @dataclass(frozen=True)
@@ -99,6 +105,10 @@ class Shape:
     verified: bool = False
     """Each grasp was tried as it stands, from above or leaning; otherwise a grasp may be turned about the line on which the fingers
     close."""
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.mass < np.inf:
+            raise ModelError(f"a {self.kind} of {self.mass} kg: its mass has to be above zero")
 
     def above(self, rotation: Array) -> float:
         """How far its centre is above its lowest point when it is turned by `rotation` `(3, 3)` [m]: of the bounding box or, of a

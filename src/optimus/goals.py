@@ -1,0 +1,39 @@
+"""Goals that contradict themselves are refused before anything is planned."""
+
+from __future__ import annotations
+
+from collections.abc import Set
+from itertools import combinations
+
+from optimus.errors import ModelError
+from optimus.logic import Facts
+from optimus.predicates import HandEmpty, Holding, On, Open, Released, Shut
+
+
+def require_consistent(goal: Facts, movables: Set[str]) -> None:
+    """`ModelError` that names two facts of a goal which cannot hold at the same time, if there are such."""
+    named = {p: [a.args for a in sorted(goal) if a.predicate == p.name] for p in (On, Holding, Released, Open, Shut)}
+    for (a, at), (b, other) in combinations(named[On], 2):
+        if a == b:
+            raise ModelError(f"the goal has {a} on {at} and on {other} at once")
+        if at == other and at in movables:
+            raise ModelError(f"the goal has {a} and {b} on {at}, which carries one thing")
+    _require_ground(dict(named[On]))
+    for (door,) in named[Open]:
+        if (door,) in named[Shut]:
+            raise ModelError(f"the goal has {door} open and shut at once")
+    held, down = [name for (name,) in named[Holding]], {args[0] for args in (*named[On], *named[Released])}
+    for name in held:
+        if name in down or HandEmpty() in goal:
+            raise ModelError(f"the goal has {name} held and let go of at once")
+    if len(held) > 1:
+        raise ModelError(f"the goal has {' and '.join(held)} held: a hand holds one thing")
+
+
+def _require_ground(below: dict[str, str]) -> None:
+    for name in below:
+        chain = [name]
+        while (under := below.get(chain[-1])) is not None:
+            if under in chain:
+                raise ModelError(f"the goal stacks in a circle: {' on '.join([*chain, under])}")
+            chain.append(under)
