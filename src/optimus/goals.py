@@ -18,7 +18,7 @@ def require_consistent(goal: Facts, movables: Set[str]) -> None:
             raise ModelError(f"the goal has {a} on {at} and on {other} at once")
         if at == other and at in movables:
             raise ModelError(f"the goal has {a} and {b} on {at}, which carries one thing")
-    _require_ground(dict(named[On]))
+    _require_ground({thing: support for thing, support in named[On]})
     for (door,) in named[Open]:
         if (door,) in named[Shut]:
             raise ModelError(f"the goal has {door} open and shut at once")
