@@ -14,6 +14,7 @@ from gymnasium.utils.env_checker import check_env
 from optimus.collect import CollectConfig, collect
 from optimus.control import CONTROLS, JOINT_SCALE, controller
 from optimus.control.joint import MAX_LEAD, JointTarget
+from optimus.control.osc import OperationalSpace
 from optimus.correct import Turns
 from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
@@ -26,6 +27,7 @@ from optimus.kinematics import Kinematics
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.checkpoint import load
 from optimus.learn.train import TrainConfig, train
+from optimus.robots.catalogue import robot
 from optimus.rollout import Perturbation
 from optimus.se3 import Pose, error_between, quat_from_rotvec, quat_mul
 from optimus.tasks import task
@@ -84,6 +86,37 @@ def test_the_tcp_reaches_a_commanded_pose(name: str, move: tuple[float, ...]) ->
     goal = Pose(home.pos + move[:3], quat_mul(quat_from_rotvec(move[3:]), home.quat))
     missing = error_between(goal, send(env, goal))
     assert np.linalg.norm(missing[:3]) < 0.002 and np.linalg.norm(missing[3:]) < 0.01
+
+
+@pytest.mark.parametrize("robot_name", ["panda", "ur5e"])
+def test_the_law_is_khatib_s_written_out_with_inverses(robot_name: str) -> None:
+    env = ManipulationEnv(task("stack"), images=False, robot=robot(robot_name))
+    env.reset(seed=0)
+    law, data, model, world = OperationalSpace(env.world), env.data, env.world.model, env.world
+    rng, dof = np.random.default_rng(0), len(world.arm_dof)
+    limits = np.array(world.scene.robot.torque_limits)
+    within = 0
+    for _ in range(20):
+        data.qpos[world.arm_qpos] = rng.uniform(world.arm_range[:, 0], world.arm_range[:, 1])
+        data.qvel[world.arm_dof] = rng.normal(size=dof) * 0.1
+        mujoco.mj_step1(model, data)
+        tcp = world.tcp(data)
+        law.target = Pose(tcp.pos + rng.normal(size=3) * 0.005, quat_mul(quat_from_rotvec(rng.normal(size=3) * 0.02), tcp.quat))
+        whole, jacp, jacr = np.zeros((model.nv, model.nv)), np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        mujoco.mj_fullM(model, data, whole)
+        mujoco.mj_jacSite(model, data, jacp, jacr, world.tcp_site)
+        jac, mass = np.vstack([jacp, jacr])[:, world.arm_dof], whole[np.ix_(world.arm_dof, world.arm_dof)]
+        q, speed = data.qpos[world.arm_qpos], data.qvel[world.arm_dof]
+        task_mass = np.linalg.inv(jac @ np.linalg.inv(mass) @ jac.T + 1e-3 * np.eye(6))
+        low, high = world.arm_range[:, 0] + 0.15 - q, q - world.arm_range[:, 1] + 0.15
+        pull = 30 * (world.home - q) + 400 * (np.maximum(low, 0) - np.maximum(high, 0)) - 2 * np.sqrt(30) * speed
+        relax = mass @ (pull - jac.T @ np.linalg.inv(jac @ jac.T + 1e-5 * np.eye(6)) @ jac @ pull)
+        relax -= jac.T @ task_mass @ jac @ np.linalg.inv(mass) @ relax
+        drawn = jac.T @ task_mass @ (400 * error_between(law.target, tcp) - 40 * jac @ speed)
+        free = drawn + relax + data.qfrc_bias[world.arm_dof] + model.dof_damping[world.arm_dof] * speed
+        np.testing.assert_allclose(law.torque(data), np.clip(free, -limits, limits), rtol=1e-6, atol=1e-6)
+        within += int(np.sum(np.abs(free) < limits))
+    assert within > 20 * dof / 2  # most of it is the law, not its limits
 
 
 @pytest.mark.parametrize("name", NAMES)

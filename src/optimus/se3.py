@@ -36,10 +36,15 @@ def quat_from_rotvec(rotvec: ArrayLike) -> Array:
 
 def rotvec_from_quat(quat: Array) -> Array:
     """The rotation vector `(3,)` [rad] of the shorter rotation that `quat` `(4,) wxyz` stands for."""
-    w, x, y, z = quat.tolist() if quat[0] >= 0 else (-quat).tolist()
+    return np.array(_rotvec(*quat.tolist()))
+
+
+def _rotvec(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
+    if not w >= 0.0:
+        w, x, y, z = -w, -x, -y, -z
     norm = math.sqrt(x * x + y * y + z * z)
     scale = 2.0 * math.atan2(norm, w) / norm if norm > 1e-12 else 2.0
-    return np.array([scale * x, scale * y, scale * z])
+    return scale * x, scale * y, scale * z
 
 
 def matrix_from_quat(quat: Array) -> Array:
@@ -114,8 +119,15 @@ class Pose:
 
 def error_between(target: Pose, actual: Pose) -> Array:
     """What is missing from `actual` to `target`: `(6,)`, position [m] and rotation vector [rad], outer frame."""
-    conjugate = actual.quat * np.array([1.0, -1.0, -1.0, -1.0])
-    return np.concatenate([target.pos - actual.pos, rotvec_from_quat(quat_mul(target.quat, conjugate))])
+    tw, tx, ty, tz = target.quat.tolist()
+    aw, ax, ay, az = actual.quat.tolist()
+    turn = _rotvec(  # of the target's quaternion times the other's conjugate
+        tw * aw + tx * ax + ty * ay + tz * az,
+        tx * aw - tw * ax - ty * az + tz * ay,
+        ty * aw - tw * ay + tx * az - tz * ax,
+        tz * aw - tw * az - tx * ay + ty * ax,
+    )
+    return np.array([*(target.pos - actual.pos).tolist(), *turn])
 
 
 def interpolate(start: Pose, end: Pose, fraction: float) -> Pose:

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
+from scipy.linalg.lapack import dposv  # pyright: ignore[reportAttributeAccessIssue] - scipy has no stubs of it
 
 from optimus.se3 import Array
 from optimus.world import World
+
+
+def solved(matrix: Array, right: Array) -> Array:
+    """`x` of `matrix @ x = right`, the matrix symmetric and positive definite: for such small ones several times faster than
+    `numpy.linalg.solve`, which is left the one that a simulation gone astray gives rise to."""
+    _, x, failed = dposv(matrix, right)
+    return np.asarray(np.linalg.solve(matrix, right) if failed else x, np.float64)
 
 
 class ArmDynamics:
@@ -15,8 +23,14 @@ class ArmDynamics:
     def __init__(self, world: World) -> None:
         self.world = world
         nv = world.model.nv
-        self._jacp, self._jacr, self._mass = np.zeros((3, nv)), np.zeros((3, nv)), np.zeros((nv, nv))
-        self._limits = np.array(world.scene.robot.torque_limits)
+        self._jac, self._mass = np.zeros((6, nv)), np.zeros((nv, nv))
+        self._jacp, self._jacr = self._jac[:3], self._jac[3:]
+        self._columns, self._block = np.s_[:, world.arm_dof], np.ix_(world.arm_dof, world.arm_dof)
+        first, last = int(world.arm_dof[0]), int(world.arm_dof[-1])
+        if np.array_equal(world.arm_dof, np.arange(first, last + 1)):  # a slice is cut out faster than a list of numbers
+            self._columns, self._block = np.s_[:, first : last + 1], np.s_[first : last + 1, first : last + 1]
+        self._high = np.array(world.scene.robot.torque_limits)
+        self._low = -self._high
         self._damping = world.model.dof_damping[world.arm_dof].ravel().copy()
 
     def q(self, data: mujoco.MjData) -> Array:
@@ -30,14 +44,14 @@ class ArmDynamics:
     def jacobian(self, data: mujoco.MjData) -> Array:
         """Of the tcp `(6, dof)`: velocity [m/s], then angular velocity [rad/s], base frame, for joint speeds of 1 rad/s."""
         mujoco.mj_jacSite(self.world.model, data, self._jacp, self._jacr, self.world.tcp_site)
-        return np.concatenate([self._jacp[:, self.world.arm_dof], self._jacr[:, self.world.arm_dof]])
+        return self._jac[self._columns].copy()
 
     def mass(self, data: mujoco.MjData) -> Array:
         """Joint-space inertia `(dof, dof)` [kg m^2]."""
         mujoco.mj_fullM(self.world.model, data, self._mass)
-        return self._mass[np.ix_(self.world.arm_dof, self.world.arm_dof)]
+        return self._mass[self._block].copy()
 
     def torque(self, pull: Array, data: mujoco.MjData) -> Array:
         """`pull` `(dof,)` [N m] with gravity, Coriolis forces and joint damping compensated, within the robot's limits."""
         torque = pull + data.qfrc_bias[self.world.arm_dof] + self._damping * self.qvel(data)
-        return np.clip(torque, -self._limits, self._limits)
+        return np.minimum(np.maximum(torque, self._low), self._high)
