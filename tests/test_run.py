@@ -30,7 +30,8 @@ def what_was_done(out: Path) -> dict[str, bytes]:
     return done
 
 
-def test_from_the_task_to_a_report(tmp_path: Path) -> None:
+def test_from_the_task_to_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("optimus.run.LEAST_TRAINING", 0.15)
     stages: list[str] = []
     config = RunConfig("pick-place", tmp_path / "out", minutes=0.4, demonstrations=5, episodes=1, corrections=True, mishaps=0.5)
     first = run(config, lambda stage, done, total, notes: stages.append(stage))

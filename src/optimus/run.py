@@ -47,6 +47,9 @@ FIRST_SHARE = 0.55
 EVALUATION_MINUTES = 2.0
 """Kept back for evaluation, films and report."""
 
+LEAST_TRAINING = 0.5
+"""Minutes of training, however few are left."""
+
 CORRECTION_SEEDS_FROM = 5_000_000
 """Seeds of corrections start here, far from those of demonstrations and of evaluations."""
 
@@ -172,7 +175,7 @@ def _timed(journal: Journal, stage: str, work: Callable[[], Any]) -> Any:
 
 
 def _minutes_left(config: RunConfig, journal: Journal) -> float:
-    return max(0.5, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
+    return max(LEAST_TRAINING, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
 
 
 def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collected:

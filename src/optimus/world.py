@@ -8,6 +8,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from optimus.errors import ModelError
 from optimus.scene import Scene
@@ -17,6 +18,12 @@ from optimus.state import Held, State
 
 OVERLAP = 0.004
 """Things deeper inside one another than this at the start do not just touch [m]."""
+
+
+def run_of(numbers: NDArray[np.int_]) -> slice | NDArray[np.int_]:
+    """The same indices as a slice where each is one more than the last: what it cuts out is not picked together one by one."""
+    first, after = int(numbers[0]), int(numbers[-1]) + 1
+    return slice(first, after) if np.array_equal(numbers, np.arange(first, after)) else numbers
 
 
 class World:

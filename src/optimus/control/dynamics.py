@@ -7,7 +7,7 @@ import numpy as np
 from scipy.linalg.lapack import dposv  # pyright: ignore[reportAttributeAccessIssue] - scipy has no stubs of it
 
 from optimus.se3 import Array
-from optimus.world import World
+from optimus.world import World, run_of
 
 
 def solved(matrix: Array, right: Array) -> Array:
@@ -25,10 +25,7 @@ class ArmDynamics:
         nv = world.model.nv
         self._jac, self._mass = np.zeros((6, nv)), np.zeros((nv, nv))
         self._jacp, self._jacr = self._jac[:3], self._jac[3:]
-        self._columns, self._block = np.s_[:, world.arm_dof], np.ix_(world.arm_dof, world.arm_dof)
-        first, last = int(world.arm_dof[0]), int(world.arm_dof[-1])
-        if np.array_equal(world.arm_dof, np.arange(first, last + 1)):  # a slice is cut out faster than a list of numbers
-            self._columns, self._block = np.s_[:, first : last + 1], np.s_[first : last + 1, first : last + 1]
+        self._arm = run_of(world.arm_dof)
         self._high = np.array(world.scene.robot.torque_limits)
         self._low = -self._high
         self._damping = world.model.dof_damping[world.arm_dof].ravel().copy()
@@ -44,12 +41,12 @@ class ArmDynamics:
     def jacobian(self, data: mujoco.MjData) -> Array:
         """Of the tcp `(6, dof)`: velocity [m/s], then angular velocity [rad/s], base frame, for joint speeds of 1 rad/s."""
         mujoco.mj_jacSite(self.world.model, data, self._jacp, self._jacr, self.world.tcp_site)
-        return self._jac[self._columns].copy()
+        return self._jac[:, self._arm].copy()
 
     def mass(self, data: mujoco.MjData) -> Array:
         """Joint-space inertia `(dof, dof)` [kg m^2]."""
         mujoco.mj_fullM(self.world.model, data, self._mass)
-        return self._mass[self._block].copy()
+        return self._mass[self._arm][:, self._arm].copy()
 
     def torque(self, pull: Array, data: mujoco.MjData) -> Array:
         """`pull` `(dof,)` [N m] with gravity, Coriolis forces and joint damping compensated, within the robot's limits."""

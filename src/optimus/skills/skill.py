@@ -11,7 +11,7 @@ from typing import ClassVar, Protocol, TypeVar
 import numpy as np
 
 from optimus.collision import Blocked, CollisionChecker
-from optimus.kinematics import DIFFERENT, Kinematics
+from optimus.kinematics import Kinematics
 from optimus.logic import Facts, Operator
 from optimus.motion import lines
 from optimus.motion.plan import Segment
@@ -143,17 +143,12 @@ class Workspace:
         """Free configurations at `goal` in which the arm would stay, with whatever it holds in `state`. If there is none, why is
         added to `failures`."""
         self.require_time()
-        seen: list[Array] = []
         blocked: Blocked | None = lines.UNREACHABLE
         solutions = self.kinematics.solutions(goal, state.q)
         if rng is not None and self.style.ik == "random":
             known = list(solutions)
             solutions = (known[i] for i in rng.permutation(len(known)))
-        for solution in islice(solutions, self.style.postures):
-            q = self.kinematics.settled(solution, goal)
-            if q is None or any(np.abs(q - other).max() < DIFFERENT for other in seen):
-                continue
-            seen.append(q)
+        for q in self.kinematics.settled(islice(solutions, self.style.postures), goal):
             self.checker.look_at(state)
             found = self.checker.check(q)
             if found is None:
