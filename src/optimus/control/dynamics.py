@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
-from scipy.linalg.lapack import dposv  # pyright: ignore[reportAttributeAccessIssue] - scipy has no stubs of it
 
 from optimus.se3 import Array
 from optimus.world import World, run_of
 
 
 def solved(matrix: Array, right: Array) -> Array:
-    """`x` of `matrix @ x = right`, the matrix symmetric and positive definite: for such small ones several times faster than
-    `numpy.linalg.solve`, which is left the one that a simulation gone astray gives rise to."""
-    _, x, failed = dposv(matrix, right)
-    return np.asarray(np.linalg.solve(matrix, right) if failed else x, np.float64)
+    """`x` of `matrix @ x = right` `(n,)`, the matrix `(n, n)` symmetric and positive definite, which is overwritten: MuJoCo's own
+    Cholesky takes a third of `numpy.linalg.solve`'s time for such small ones."""
+    found = np.empty_like(right)
+    mujoco.mju_cholFactor(matrix, 0.0)
+    mujoco.mju_cholSolve(found, matrix, right)
+    return found
 
 
 class ArmDynamics:

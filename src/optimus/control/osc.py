@@ -26,7 +26,7 @@ LIMIT_MARGIN, LIMIT_KP = 0.15, 400.0
 """Nearer to a joint's limit than this [rad], the null space pushes it away with this stiffness [1/s^2]: a joint at its limit can no
 longer follow the tcp."""
 
-TASK_EASE, NULL_EASE = 1e-3 * np.eye(6), 1e-5 * np.eye(6)
+TASK_EASE, NULL_EASE = 1e-3, 1e-5 * np.eye(6)
 """Added to what is solved for, so that near a singularity the arm gives way [1/kg, and none]."""
 
 
@@ -48,14 +48,14 @@ class OperationalSpace(PoseTarget):
         """Joint torques `(dof,)` [N m], after `mj_step1`."""
         arm = self._arm
         jac, mass, q, qvel = arm.jacobian(data), arm.mass(data), arm.q(data), arm.qvel(data)
-        mass_inv_jt = solved(mass, jac.T)
         pull = self._relaxation(q, qvel)
         # straight home in the joints' own measure, as plans have it, not weighted by inertia
-        relax = mass @ (pull - jac.T @ solved(jac @ jac.T + NULL_EASE, jac @ pull))
+        home = pull - jac.T @ solved(jac @ jac.T + NULL_EASE, jac @ pull)
         # the last term: what of it moves the tcp is taken out again (dynamically consistent projection)
-        twist = KP * self.target_error(data) - DAMPING * (jac @ qvel) - mass_inv_jt.T @ relax
-        wrench = solved(jac @ mass_inv_jt + TASK_EASE, twist)
-        return arm.torque(jac.T @ wrench + relax, data)
+        twist = KP * self.target_error(data) - DAMPING * (jac @ qvel) - jac @ home
+        # Khatib's J^T (J M^-1 J^T + ease)^-1 is M (J^T J + ease M)^-1 J^T: one matrix to factorise, and none to invert
+        drawn = solved(jac.T @ jac + TASK_EASE * mass, jac.T @ twist)
+        return arm.torque(mass @ (drawn + home), data)
 
     def _relaxation(self, q: Array, qvel: Array) -> Array:
         """Joint accelerations `(dof,)` [rad/s^2] for the null space: towards home, away from the joints' limits, damped."""

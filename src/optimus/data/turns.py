@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from optimus.data.episode import STATE_COLUMNS
 from optimus.data.episode_file import STATES, EpisodeHeader
@@ -24,6 +23,8 @@ def rotations_of(header: EpisodeHeader) -> Array | None:
     """The things' rotations `(T, k, 3, 3)`, in the order of their names; None where that is not recorded."""
     if not says_rotations(header):
         return None
+    from scipy.spatial.transform import Rotation  # it takes half a second to load, and few need it
+
     columns, states = header.info.get(STATE_COLUMNS, {}).get("objects", {}), header.read(STATES)
     quats = [states[:, columns[name] + 3 : columns[name] + 7] for name in header.object_names]
     turns = [Rotation.from_quat(quat, scalar_first=True).as_matrix() for quat in quats]

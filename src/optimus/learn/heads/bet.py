@@ -9,7 +9,6 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 from numpy.typing import NDArray
-from scipy.cluster.vq import kmeans2
 from torch import Tensor, nn
 
 from optimus.learn.heads.mixture import Mixture, NextAction
@@ -45,6 +44,8 @@ class BeTHead(nn.Module):
     def fit(self, actions: NDArray[np.float32]) -> None:
         """Find the clusters of normalised actions `(N, n)` by k-means; where there are fewer different ones, some centres are the
         same."""
+        from scipy.cluster.vq import kmeans2  # it takes half a second to load, and this alone needs it
+
         different = np.unique(actions.astype(np.float64), axis=0)
         count = min(self.config.clusters, len(different))
         if count < len(different):
