@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
 from itertools import combinations
 from typing import Any
 
@@ -11,15 +10,13 @@ from optimus.logic import Facts, Predicate
 from optimus.predicates import HandEmpty, Holding, On, Open, Released, Shut
 
 
-def require_consistent(goal: Facts, movables: Set[str]) -> None:
+def require_consistent(goal: Facts) -> None:
     """`ModelError` that names two facts of a goal which cannot hold at the same time, if there are such."""
     kinds = (On, Holding, Released, Open, Shut)
     named: dict[Predicate, list[Any]] = {kind: [a.args for a in sorted(goal) if a.predicate == kind.name] for kind in kinds}
     for (a, at), (b, other) in combinations(named[On], 2):
         if a == b:
             raise ModelError(f"the goal has {a} on {at} and on {other} at once")
-        if at == other and at in movables:
-            raise ModelError(f"the goal has {a} and {b} on {at}, which carries one thing")
     _require_ground(dict(named[On]))
     for (door,) in named[Open]:
         if (door,) in named[Shut]:

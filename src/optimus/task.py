@@ -52,7 +52,7 @@ class Problem:
                     raise ModelError(f"{atom} is asked for, but {name} is no {kind}; those are {', '.join(kinds[kind]) or 'none'}")
         for name in sorted({atom.args[0] for atom in self.goal if atom.predicate == On.name}):
             _require_spanned(self.scene, name)
-        require_consistent(self.goal, movable)
+        require_consistent(self.goal)
 
     @cached_property
     def instruction(self) -> str:
