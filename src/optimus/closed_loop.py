@@ -31,6 +31,8 @@ HOMEWARDS, HOMEWARDS_TURN = 0.02, 0.1
 """The way home a step [m], [rad]."""
 AT_HOME = 0.05
 """[m], turns as in `lines.distance`"""
+LOST = -0.3
+"""What has fallen below this [m] comes to rest nowhere: nobody waits for it."""
 RESTS = 0.05
 """Where a thing that was moved will stay is known below this speed [m/s]."""
 
@@ -177,7 +179,8 @@ class ClosedLoop:
     def _in_motion(self) -> bool:
         state = self._env.state()
         held = state.held.name if state.held else ""
-        return any(speed > RESTS for name, speed in state.speeds.items() if name != held)
+        there = [name for name, pose in state.poses.items() if name != held and pose.pos[2] > LOST]
+        return any(state.speeds.get(name, 0.0) > RESTS for name in there)
 
     def _homewards(self) -> NDArray[np.float32]:
         """Where there is no plan from here there may be one from home: slowly there, the hand open, until there is one. Things that
