@@ -9,7 +9,7 @@ import numpy as np
 
 from optimus.se3 import Array, Pose
 from optimus.state import State
-from optimus.world import World
+from optimus.world import World, run_of
 
 ROBOT_DEPTH = 0.0005
 """Contacts of the robot shallower than this are touches, not collisions [m]."""
@@ -45,7 +45,8 @@ class CollisionChecker:
         self._held_geom = np.zeros_like(self._robot_geom)
         self._held: tuple[int, Pose] | None = None
         self._bar_geom = -1
-        self._low, self._high = np.array(world.scene.low) - BOX_SLACK, np.array(world.scene.high) + BOX_SLACK
+        self._low, self._high = [x - BOX_SLACK for x in world.scene.low], [x + BOX_SLACK for x in world.scene.high]
+        self._arm_qpos = run_of(world.arm_qpos)
 
     def look_at(self, state: State, pulled: str | None = None) -> None:
         """Take the surroundings, the hand's opening and what it holds from `state`; the queries then vary only `q`.
@@ -64,7 +65,7 @@ class CollisionChecker:
     def check(self, q: Array) -> Blocked | None:
         """None if `q` `(dof,)` [rad] is free, else one pair that meets."""
         data, model = self._data, self.world.model
-        data.qpos[self.world.arm_qpos] = q
+        data.qpos[self._arm_qpos] = q
         mujoco.mj_kinematics(model, data)
         if self._held is not None:
             at, tcp_from_object = self._held
@@ -76,19 +77,21 @@ class CollisionChecker:
 
     def _outside(self) -> Blocked | None:
         """The controller keeps the hand within the scene's box: no path may leave it."""
-        tcp = self._data.site_xpos[self.world.tcp_site]
-        inside = (tcp >= self._low).all() and (tcp <= self._high).all()
+        tcp = self._data.site_xpos[self.world.tcp_site].tolist()
+        inside = all(low <= x <= high for x, low, high in zip(tcp, self._low, self._high, strict=True))
         return None if inside else Blocked("robot", "the workspace's edge")
 
     def _worst(self) -> Blocked | None:
         contact, n = self._data.contact, self._data.ncon
         if n == 0:
             return None
+        depth = -contact.dist[:n]
+        if depth.max() <= ROBOT_DEPTH:  # no limit is lower
+            return None
         geoms = contact.geom[:n]
         robot, held = self._robot_geom[geoms], self._held_geom[geoms]
         if not robot.any() and not held.any():
             return None
-        depth = -contact.dist[:n]
         with_held = held.any(axis=1)
         gripped = with_held & self._finger_geom[geoms].any(axis=1)
         if self._bar_geom >= 0:  # of a door, only the bar is there to be gripped
