@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice, pairwise, product
 from typing import ClassVar
 
@@ -63,11 +64,16 @@ class _Puller:
     def hand(self, yaw: float, angle: float) -> Pose:
         """`base_from_tcp` at the bar of the door open by `angle`, turned by `yaw` against the door's normal [rad]."""
         frame = self.door.pose(angle)
+        turn = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), self._attitude)
+        return Pose(frame.transform(np.array(self.door.bar.pos)), quat_mul(frame.quat, turn))
+
+    @cached_property
+    def _attitude(self) -> Array:
+        """The hand's orientation `(4,) wxyz` at a door that is shut, at no yaw."""
         # columns: tcp x (up, or down), y (closing, level), z (approaching: into the door)
         axes = np.array([[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
-        turn = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), quat_from_rotvec((0.0, self.pitch, 0.0)))
-        about = quat_mul(quat_from_matrix(axes), quat_from_rotvec((0.0, 0.0, self.roll)))
-        return Pose(frame.transform(np.array(self.door.bar.pos)), quat_mul(frame.quat, quat_mul(turn, about)))
+        pitched = quat_mul(quat_from_rotvec((0.0, self.pitch, 0.0)), quat_from_matrix(axes))
+        return quat_mul(pitched, quat_from_rotvec((0.0, 0.0, self.roll)))
 
     def swings(self, stretches: list[Array], straight: bool, rng: np.random.Generator) -> Iterator[Refinement]:
         """Whole swings through `stretches` of angles [rad], the cheapest first: dynamic programming over the hand's yaw, each way
