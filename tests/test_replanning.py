@@ -130,6 +130,23 @@ def test_a_thing_that_fell_over_is_taken_as_it_lies(name: str, thing: str, roll:
     assert reached >= 2  # it may roll away
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_basket_that_lies_is_taken_across_its_height(side: float) -> None:
+    """Its handle is too low for a hand then."""
+    env = ManipulationEnv(task("pick-place-two"), images=False)
+
+    def knock_over(add: NDArray, since: int) -> None:
+        if since == 0:
+            at = env.world.movable_qpos["basket"]
+            lying = Pose.of(rotvec=(0.0, 0.0, 0.4)) @ Pose.of(rotvec=(side * np.pi / 2, 0.0, 0.0))
+            env.data.qpos[at + 3 : at + 7] = lying.quat
+            mujoco.mj_forward(env.world.model, env.data)
+
+    attempt = demonstrate(env, 3, ExpertConfig(), lambda rng: Blunder(env, lambda env: True, knock_over))
+    assert attempt.success, attempt.failure
+    assert np.abs(env.state().poses["basket"].matrix[2, 1]) > 0.97  # as it lay
+
+
 def test_what_leans_where_it_is_to_go_is_not_there_yet() -> None:
     env = ManipulationEnv(task("pick-place"), images=False)
     env.reset(seed=3)

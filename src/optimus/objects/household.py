@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from optimus.objects.shapes import Part, Rgba, Shape, top_grasp
+from optimus.objects.shapes import Grasp, Part, Rgba, Shape, top_grasp
+from optimus.se3 import quat_from_matrix
 
 
 def basket(length: float, width: float, height: float, rgba: Rgba, mass: float = 0.08, wall: float = 0.006) -> Shape:
@@ -23,8 +24,18 @@ def basket(length: float, width: float, height: float, rgba: Rgba, mass: float =
         Part("box", (w, 0.008, hz - rim / 2), (w - hx, 0.0, rim / 2)),
         Part("box", (hx, 0.008, 0.008), (0.0, 0.0, hz - 0.008)),
     )
-    grasps = tuple(top_grasp(s * np.pi / 2, hz - 0.010) for s in (1, -1))
+    by_the_handle = [top_grasp(s * np.pi / 2, hz - 0.010) for s in (1, -1)]
+    grasps = (*by_the_handle, *(_from_its_side(s) for s in (1.0, -1.0)))
     return Shape("basket", parts, (hx, hy, hz), mass, rgba, grasps=grasps)
+
+
+def _from_its_side(closing: float) -> Grasp:
+    """Through the middle from +y, the fingers closing along +z or -z: from above where it lies on its other side, which leaves the
+    handle too low for a hand."""
+    # columns: tcp x, y (closing direction), z (approaching)
+    matrix = np.array([[closing, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, closing, 0.0]])
+    w, x, y, z = quat_from_matrix(matrix).tolist()
+    return Grasp((0.0, 0.0, 0.0), (w, x, y, z))
 
 
 def vase(radius: float, neck: float, height: float, rgba: Rgba, mass: float = 0.10) -> Shape:
