@@ -90,6 +90,15 @@ def test_bench_expert_has_its_keys() -> None:
     assert result["successes"] == 3 and set(result["plan_seconds"]) == {"median", "p95", "max"}
 
 
+def test_the_time_for_planning_is_kept_to_and_asked_for_only_where_there_is_planning() -> None:
+    spent = result_of("bench", "expert", "stack", "--episodes", "1", "--planning-seconds", "0")
+    assert spent["successes"] == 0 and "planning time spent" in next(iter(spent["failures"]))
+    assert result_of("bench", "expert", "stack", "--episodes", "1", "--planning-seconds", "60")["successes"] == 1
+    assert "expert" in refused("bench", "collect", "stack", "--planning-seconds", "5")
+    assert "--plan" in refused("show", "stack", "--planning-seconds", "5")
+    assert "-1.0 is not 0 or more" in refused("show", "stack", "--plan", "--planning-seconds", "-1")
+
+
 def test_plans_are_checked_on_demand(tmp_path: Path) -> None:
     assert result_of("bench", "expert", "stack", "--episodes", "2", "--check")["invalid_plans"] == 0
     assert result_of("show", "stack", "--plan", "--check", "--out", str(tmp_path / "plan.png"))["picture"]

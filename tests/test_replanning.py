@@ -130,6 +130,19 @@ def test_a_thing_that_fell_over_is_taken_as_it_lies(name: str, thing: str, roll:
     assert reached >= 2  # it may roll away
 
 
+def test_nobody_waits_for_what_has_fallen_off_the_table() -> None:
+    env = ManipulationEnv(task("pick-place-two"), images=False)
+
+    def throw_off(add: NDArray, since: int) -> None:
+        if since == 0:
+            env.data.qpos[env.world.movable_qpos["vase"] + 1] = 1.5
+
+    attempt = demonstrate(env, 3, ExpertConfig(), lambda rng: Blunder(env, lambda env: True, throw_off))
+    assert attempt.failure.startswith("ended without On(vase") and attempt.episode is not None
+    assert len(attempt.episode) < env.task.horizon / 2
+    assert env.problem.paper_success(env.state()) is False and env.state().poses["vase"].pos[2] < -1.0
+
+
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_a_basket_that_lies_is_taken_across_its_height(side: float) -> None:
     """Its handle is too low for a hand then."""

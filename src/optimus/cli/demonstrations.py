@@ -19,6 +19,7 @@ from optimus.cli.options import (
     RobotName,
     TaskName,
     Workers,
+    chosen_budget,
     chosen_robot,
 )
 from optimus.cli.output import bar, counts, say
@@ -48,7 +49,7 @@ def collect(
     motion: Literal["straight", "sampled"] = "straight",
     speed: float = 0.35,
     check: bool = False,
-    planning_seconds: PlanningSeconds = 10.0,
+    planning_seconds: PlanningSeconds = None,
     policy: Path | None = None,
     control: ControlName = "osc",
     robot: RobotName = None,
@@ -85,14 +86,13 @@ def collect(
     from optimus.correct import Turns
     from optimus.demonstrate import ExpertConfig
     from optimus.expert import TimeLaw
-    from optimus.planner import Budget
     from optimus.rollout import Perturbation
     from optimus.skills import Style
     from optimus.tasks import with_objects
 
     style, law = Style(grasps=grasps, ik=ik, motion=motion), TimeLaw(speed=speed, stall=stall, gripper=gripper)
-    pushed = Perturbation() if perturb else None
-    expert = ExpertConfig(style, law, Budget(planning_seconds), pushed, check, mishaps)
+    pushed, budget = Perturbation() if perturb else None, chosen_budget(planning_seconds)
+    expert = ExpertConfig(style, law, budget, pushed, check=check, mishaps=mishaps)
     config = CollectConfig(
         task=with_objects(task, objects),
         out=out,

@@ -18,6 +18,7 @@ from optimus.cli.options import (
     PresetName,
     RobotName,
     Workers,
+    chosen_budget,
     chosen_robot,
 )
 from optimus.cli.output import bar, counter, say, table
@@ -41,7 +42,7 @@ def bench(
     workers: Workers = 1,
     check: bool = False,
     where: bool = False,
-    planning_seconds: PlanningSeconds = 10.0,
+    planning_seconds: PlanningSeconds = None,
     control: ControlName = "osc",
     robot: RobotName = None,
     objects: ObjectsName = None,
@@ -75,12 +76,16 @@ def bench(
     """
     from optimus.bench import BENCHES, BenchConfig
     from optimus.conditions import Conditions
-    from optimus.planner import Budget
     from optimus.tasks import with_objects
 
     conditions = Conditions(perturb, friction, mass)
-    unusual = conditions != Conditions()
-    for name, asked in (("check", check), ("where", where), ("perturb, --friction and --mass", unusual)):
+    of_the_expert = {
+        "check": check,
+        "where": where,
+        "planning-seconds": planning_seconds is not None,
+        "perturb, --friction and --mass": conditions != Conditions(),
+    }
+    for name, asked in of_the_expert.items():
         if asked and what != "expert":
             raise OptimusError(f"--{name}: this goes with `bench expert` alone")
     if device == "cuda" and preset is None:
@@ -93,7 +98,7 @@ def bench(
     if task is None:
         raise OptimusError("name a TASK (`optimus tasks` lists them), or a --preset for step and action")
     with bar(episodes, f"bench {what} {task}", "episode") as shown:
-        named, budget = with_objects(task, objects), Budget(planning_seconds)
+        named, budget = with_objects(task, objects), chosen_budget(planning_seconds)
         config = BenchConfig(named, episodes, seed, workers, control, chosen_robot(robot), check, where, conditions, budget)
         result = BENCHES[what](config, counter(shown))
     say(result, json, table(result))

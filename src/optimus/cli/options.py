@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from tyro.conf import Positional, arg
 
 if TYPE_CHECKING:
+    from optimus.planner import Budget
     from optimus.robots import Robot
 
 TaskName = Annotated[str, Positional, arg(metavar="TASK", help="a task's name; `optimus tasks` lists them")]
@@ -37,7 +38,7 @@ Backend = Annotated[
     Literal["local", "ray"],
     arg(help="where the workers are: here, or in Ray: the cluster that RAY_ADDRESS names, else one of its own"),
 ]
-PlanningSeconds = Annotated[float, arg(help="CPU seconds that one plan may take; with many things in the scene, more")]
+PlanningSeconds = Annotated[float | None, arg(help="CPU seconds that one plan may take; by default 10")]
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 
@@ -51,6 +52,13 @@ Mass = Annotated[float, arg(help="a factor on the mass of the movable things, un
 ObjectsName = Annotated[
     str | None, arg(metavar="19|72|unseen|NAME,NAME|FOLDER", help="what to do the task with; `optimus objects` lists them")
 ]
+
+
+def chosen_budget(seconds: float | None) -> Budget:
+    """What a plan may cost."""
+    from optimus.planner import Budget
+
+    return Budget() if seconds is None else Budget(seconds)
 
 
 def chosen_robot(name: str | None) -> Robot | None:

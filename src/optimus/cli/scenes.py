@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.cli.options import Json, ObjectsName, PlanningSeconds, RobotName, TaskName, chosen_robot
+from optimus.cli.options import Json, ObjectsName, PlanningSeconds, RobotName, TaskName, chosen_budget, chosen_robot
 from optimus.cli.output import say
 from optimus.errors import OptimusError
 
@@ -32,7 +32,7 @@ def show(
     plan: bool = False,
     film: bool = False,
     check: bool = False,
-    planning_seconds: PlanningSeconds = 10.0,
+    planning_seconds: PlanningSeconds = None,
     seed: int = 0,
     out: Path | None = None,
     robot: RobotName = None,
@@ -55,7 +55,6 @@ def show(
         out: the file to write; by default TASK-SEED[-plan].png or TASK-SEED.webp here
     """
     from optimus.demonstrate import ExpertConfig
-    from optimus.planner import Budget
     from optimus.show import sentence, show_plan, show_scene
     from optimus.tasks import task as task_named
     from optimus.tasks import with_objects
@@ -65,6 +64,8 @@ def show(
         raise OptimusError("either --film or --plan: a plan is a picture, a film shows it carried out")
     if check and not plan:
         raise OptimusError("--check is for plans: add --plan")
+    if planning_seconds is not None and not plan:
+        raise OptimusError("--planning-seconds is for plans: add --plan")
     if film:
         from optimus.show import show_film
 
@@ -74,7 +75,7 @@ def show(
         return say({"film": str(out), "shows": text, "steps": len(episode)}, json, f"{text}\n{out}")
     out = out or Path(f"{task.replace(':', '-')}-{seed}{'-plan' if plan else ''}.png")
     if plan:
-        config = ExpertConfig(budget=Budget(planning_seconds), check=check)
+        config = ExpertConfig(budget=chosen_budget(planning_seconds), check=check)
         found = show_plan(chosen, seed, out, config, chosen_robot(robot))
         text = "; ".join(f"{i}. {sentence(s.operator)}" for i, s in enumerate(found.steps, 1))
     else:

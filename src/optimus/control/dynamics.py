@@ -9,15 +9,6 @@ from optimus.se3 import Array
 from optimus.world import World, run_of
 
 
-def solved(matrix: Array, right: Array) -> Array:
-    """`x` of `matrix @ x = right` `(n,)`, the matrix `(n, n)` symmetric and positive definite, which is overwritten: MuJoCo's own
-    Cholesky takes a third of `numpy.linalg.solve`'s time for such small ones."""
-    found = np.empty_like(right)
-    mujoco.mju_cholFactor(matrix, 0.0)
-    mujoco.mju_cholSolve(found, matrix, right)
-    return found
-
-
 class ArmDynamics:
     """The arm alone, out of a model that also holds fingers and free things. Every query reads `data` after `mj_step1`."""
 

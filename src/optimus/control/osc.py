@@ -8,8 +8,9 @@ from typing import ClassVar
 import mujoco
 import numpy as np
 
-from optimus.control.dynamics import ArmDynamics, solved
+from optimus.control.dynamics import ArmDynamics
 from optimus.control.pose_target import PoseTarget
+from optimus.kinematics import solved
 from optimus.se3 import Array
 from optimus.world import World
 
