@@ -10,7 +10,12 @@ from optimus.collect import CollectConfig, collect
 from optimus.data.curate import CurationConfig, curate
 from optimus.data.episode import RECEPTACLE
 from optimus.data.store import EpisodeStore
-from optimus.evaluate import RANDOM_SEEDS_FROM, random_starts, validation_starts
+from optimus.errors import CheckpointError
+from optimus.evaluate import RANDOM_SEEDS_FROM, evaluate, random_starts, validation_starts
+from optimus.evaluate.start import require_unseen
+from optimus.learn.presets import preset
+from optimus.learn.sources import learned_starts
+from optimus.learn.train import TrainConfig, train
 from optimus.reproduce.work import EXPERT_SEED
 from optimus.run import CORRECTION_SEEDS_FROM
 from optimus.task import pick_one
@@ -73,3 +78,24 @@ def test_seeds_of_demonstrations_corrections_and_trials_are_apart() -> None:
     assert max(10**6, EXPERT_SEED) < CORRECTION_SEEDS_FROM < CORRECTION_SEEDS_FROM + 10**6 < RANDOM_SEEDS_FROM
     starts = [random_starts(50, seed) for seed in range(3)]
     assert len({s.seed for some in starts for s in some}) == 150
+
+
+def test_a_start_that_the_policy_has_learned_from_is_refused(tmp_path: Path) -> None:
+    """A dataset that grew and was curated anew holds others out than those that the policy never saw."""
+    data, run = tmp_path / "data", tmp_path / "run"
+    collect(CollectConfig("stack", data, 5, workers=1, images=False))
+    found = curate(data)
+    train(data, run, TrainConfig(steps=2), preset("quick", observe="state").policy)
+    require_unseen(run, validation_starts(data, 3))
+    (data / "curation.json").unlink()
+    collect(CollectConfig("stack", data, 8, workers=1, images=False))
+    again = next(c for seed in range(20) if set((c := curate(data, CurationConfig(seed=seed))).validation) & set(found.train))
+    leaked = sorted(set(again.validation) & set(found.train))
+    for folder in (run, run / "best"):
+        with pytest.raises(CheckpointError, match=f"learned from {len(leaked)} of these initial states .seeds {leaked[0]}"):
+            evaluate(folder, validation_starts(data, 8), "validation", workers=1)
+    # a run that begins with its weights has learned from what it had learned from
+    train(data, tmp_path / "on", TrainConfig(steps=2), preset("quick", observe="state").policy, initial=run)
+    curate(data, CurationConfig())
+    store = EpisodeStore.open(data)
+    assert {store.header(s).start for s in found.train} <= learned_starts(tmp_path / "on")

@@ -6,6 +6,7 @@ import io
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from textwrap import wrap
 
 import imageio.v3 as iio
 import mujoco
@@ -57,10 +58,16 @@ def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
 
 
 def captioned(picture: Picture, caption: str, height: int = 34) -> Picture:
-    """The picture with a line of text above it."""
+    """The picture with text above it: on one line, or in smaller letters on two."""
     out = Image.new("RGB", (picture.shape[1], picture.shape[0] + height), (255, 255, 255))
     out.paste(Image.fromarray(picture), (0, height))
-    ImageDraw.Draw(out).text((8, height // 2), caption, fill=(25, 25, 30), font=_font(16), anchor="lm")
+    draw, room = ImageDraw.Draw(out), picture.shape[1] - 16
+    text, font = caption, _font(16)
+    if draw.textlength(caption, font) > room:
+        text = "\n".join(wrap(caption, len(caption) // 2 + 12))
+        fonts = [_font(size) for size in range(14, 6, -1)]
+        font = next((f for f in fonts if draw.multiline_textbbox((0, 0), text, f)[2] <= room), fonts[-1])
+    draw.multiline_text((8, height // 2), text, fill=(25, 25, 30), font=font, anchor="lm", spacing=2)
     return np.asarray(out)
 
 
@@ -118,7 +125,7 @@ def show_plan(task: Task, seed: int, out: Path, config: ExpertConfig | None = No
     wrong = validate(plan, env.world.scene, goal, config.law) if config.check else []
     if wrong:
         raise ModelError(f"the plan for {task.name} with seed {seed} is invalid: {'; '.join(map(str, wrong))}")
-    rig = Rig(env.world, 460, 560)
+    rig = Rig(env.world, 440, 640)
     camera = task.people_camera
     wanted = ", ".join(sorted(str(a) for a in goal))
     pictures, state = [], plan.start

@@ -6,6 +6,7 @@ the file.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import struct
 from dataclasses import dataclass
@@ -60,6 +61,11 @@ class EpisodeHeader:
         """The number of actions."""
         return self.arrays["actions"].shape[0]
 
+    @property
+    def start(self) -> str:
+        """Which initial state this is (see `start_digest`)."""
+        return start_digest(self.read("initial_state"))
+
     def read(self, name: str) -> NDArray[Any]:
         """One array of the file, e.g. `actions` or `obs.robot0_eef_pos`."""
         if name not in self.arrays:
@@ -73,6 +79,11 @@ class EpisodeHeader:
         if flat.size != count:
             raise DatasetError(f"{self.path} is cut short at {name}; {_REMEDY}")
         return flat.reshape(slot.shape)
+
+
+def start_digest(state: NDArray[Any]) -> str:
+    """A name of a physics state: the same one for the same numbers alone."""
+    return hashlib.sha256(np.ascontiguousarray(state, np.float64).tobytes()).hexdigest()[:12]
 
 
 def episode_bytes(episode: Episode, path: Path) -> bytes:

@@ -16,7 +16,7 @@ from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError
 from optimus.evaluate.actors import environment, task_of, trained_robot
 from optimus.evaluate.outcome import EvalReport, Outcome
-from optimus.evaluate.start import Start
+from optimus.evaluate.start import Start, require_unseen
 from optimus.learn import checkpoint
 from optimus.learn.agent import Component, PolicyAgent, trained_agent
 from optimus.robots import Robot
@@ -130,10 +130,14 @@ def evaluate(
     conditions: Conditions = USUAL,
     compiled: bool = False,
 ) -> EvalReport:
-    """One episode from each start. The outcomes are the same for any number of workers. `robot`, `compiled`: as for `play`."""
+    """One episode from each start. The outcomes are the same for any number of workers. `robot`, `compiled`: as for `play`.
+
+    `CheckpointError` if the policy has learned from one of the initial states.
+    """
     trained_robot(run, robot)
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
+    require_unseen(run, starts)
     task = task_of(checkpoint.read_config(run)["task"], starts[0].task, run)
     outcomes: dict[int, Outcome] = {}
     how = (component, robot, conditions, compiled)

@@ -15,12 +15,14 @@ from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import DatasetError
-from optimus.learn.checkpoint import joint_task
+from optimus.learn.checkpoint import joint_task, read_config
 
 POSITION_SCALE = "position_scale"
 """Key of a dataset's configuration: metres that a position action of 1 stands for."""
 SPLIT = "split"
 """Key of what is recorded of the data: a digest of which episodes are trained on, and which are held out."""
+STARTS = "starts"
+"""Key of the same: which initial states were learned from, of the run that training began with too."""
 SCALES = (POSITION_SCALE, "rotation_scale", "joint_scale")
 
 
@@ -62,6 +64,7 @@ class Lessons:
             _require_same_meaning(store, first)
         extra = [header for path in sources.corrections for header in _corrections(path, stores)]
         train = [*_rest(stores, curations, "train"), *extra]
+        learned = [*(first.header(s) for s in curations[0].train), *train]
         held_out = _rest(stores, curations, "validation")
         centre = replace(cut, windows=1, change_weight=1.0)
         return cls(
@@ -69,7 +72,7 @@ class Lessons:
             Windows(first, curations[0].train, cut, train),
             Windows(first, curations[0].validation, centre, held_out),
             first.config.get(POSITION_SCALE),
-            _about(stores, curations, extra),
+            {**_about(stores, curations, extra), STARTS: _starts(learned, sources.initial)},
         )
 
 
@@ -94,6 +97,17 @@ def _about(stores: Sequence[EpisodeStore], curations: Sequence[Curation], extra:
     if len(stores) > 1:
         said["others"] = [{"task": s.task, "config": s.config, "versions": s.versions} for s in stores[1:]]
     return said
+
+
+def _starts(learned: Sequence[EpisodeHeader], initial: Path | None) -> list[str]:
+    """Of those episodes (imported ones may have none), and of what the run `initial` was trained on."""
+    before = learned_starts(initial) if initial is not None else set()
+    return sorted({h.start for h in learned if h.arrays["initial_state"].shape[0]} | before)
+
+
+def learned_starts(run: Path) -> set[str]:
+    """The initial states that a run learned from, as `start_digest` names them; empty for one of an earlier version."""
+    return set(read_config(run).get("dataset", {}).get(STARTS, ()))
 
 
 def _corrections(path: Path, of: Sequence[EpisodeStore]) -> list[EpisodeHeader]:

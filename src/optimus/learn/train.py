@@ -37,7 +37,7 @@ from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.ranks import Ranks, joined
 from optimus.learn.recipe import TrainConfig
 from optimus.learn.schedule import StepPlan
-from optimus.learn.sources import SPLIT, Lessons, Sources
+from optimus.learn.sources import SPLIT, STARTS, Lessons, Sources
 from optimus.learn.state import TrainState
 
 STATE_FOLDER = "train_state"
@@ -238,7 +238,8 @@ class _Trainer:
         if (self.run / checkpoint.CONFIG_FILE).exists():
             there = checkpoint.read_config(self.run)
             there = {**there, **Policy.described(there), "train": train_described(there["train"])}
-            there["dataset"] = {SPLIT: about["dataset"][SPLIT], **there.get("dataset", {})}  # an earlier version kept none
+            kept = {key: about["dataset"][key] for key in (SPLIT, STARTS)}  # earlier versions did not
+            there["dataset"] = {**kept, **there.get("dataset", {})}
             require_same(self.run, there, what)
             usual = asdict(Runtime(**there["runtime"]))
             for name, have in (("processes", ranks.count), ("device", ranks.device.type)):
