@@ -17,7 +17,7 @@ from optimus.logic import Atom
 from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
 from optimus.objects.furniture import bin_of, box_open_in_front
-from optimus.objects.shapes import block, slab
+from optimus.objects.shapes import Part, block, cylinder, slab
 from optimus.planner import OUT_OF_TIME, Budget, _out_of_time, solve
 from optimus.predicates import On, Released, facts_of
 from optimus.rollout import Perturbation, rollout
@@ -129,17 +129,30 @@ def test_a_place_too_small_is_named_with_the_thing(kind: str) -> None:
     assert "right" in found.blockers
 
 
-CROWDS = {"two in a bin of 20 cm": (2, bin_of(0.2, 0.05, WOOD)), "four on a tray of 25 cm": (4, slab(0.125, 0.125, 0.02, WOOD))}
+CUBE, CAN = block(0.045, WOOD), cylinder(0.025, 0.1, WOOD)
+BAR = replace(
+    block(0.04, WOOD), parts=(Part("box", (0.018, 0.085, 0.02)),), half_extents=(0.018, 0.085, 0.02), grasps=CUBE.grasps[::2]
+)
+CROWDS = {
+    "two in a bin of 20 cm": ([CUBE, CUBE], bin_of(0.2, 0.05, WOOD)),
+    "four on a tray of 25 cm": ([CUBE] * 4, slab(0.125, 0.125, 0.02, WOOD)),
+    # about each bar a disc of 17 cm: no two of those would fit
+    "two bars in a bin of 26 cm": ([BAR, BAR], bin_of(0.26, 0.05, WOOD)),
+    "three bars on a tray of 28 cm": ([BAR] * 3, slab(0.14, 0.14, 0.02, WOOD)),
+    "a bar and a can in a bin of 22 cm": ([BAR, CAN], bin_of(0.22, 0.05, WOOD)),
+}
 
 
 @pytest.mark.parametrize("name", list(CROWDS))
 def test_several_things_find_room_where_the_first_one_must_not_stand_in_the_middle(name: str) -> None:
-    count, shape = CROWDS[name]
+    shapes, support = CROWDS[name]
     problem = task("pick-place").problem(0)
     table = next(f for f in problem.scene.fixtures if f.name == "table")
-    things = tuple(Movable(f"block{i}", block(0.045, WOOD)) for i in range(count))
-    scene = replace(problem.scene, fixtures=(table, Fixture("box", shape, (0.5, -0.25, shape.half_extents[2]))), movables=things)
-    poses = {thing.name: Pose.of((0.4 + 0.06 * i, 0.1 + 0.1 * (i % 2), 0.0225)) for i, thing in enumerate(things)}
+    things = tuple(Movable(f"thing{i}", shape) for i, shape in enumerate(shapes))
+    box = Fixture("box", support, (0.5, -0.23, support.half_extents[2]))
+    scene = replace(problem.scene, fixtures=(table, box), movables=things)
+    places = [(0.36 + 0.12 * (i % 3), 0.15 + 0.15 * (i // 3), shape.half_extents[2]) for i, shape in enumerate(shapes)]
+    poses = {thing.name: Pose.of(at) for thing, at in zip(things, places, strict=True)}
     goal = frozenset(fact for name in poses for fact in (On(name, "box"), Released(name)))
     drawn = replace(problem, scene=scene, poses=poses, goal=goal)
     env = ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn, horizon=1000), images=False)

@@ -79,6 +79,7 @@ class _Binding:
         self.workspace.failures.clear()
         answers: list[bool] = []
         self.workspace.purpose = None if aim is None else self._purpose(aim, answers)
+        self.workspace.crowded = any(puts_down(o) and o.args[1:] == operator.args[1:] for o in skeleton[1:])
         for tried, (segments, after) in enumerate(self._refinements(operator, state)):
             rest, self.involved, self.beyond_help = None, set(operator.args), None
             if all(holds(self.workspace.scene, after, atom) for atom in operator.adds):

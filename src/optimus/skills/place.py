@@ -4,32 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import islice
+from itertools import chain, islice
 from typing import ClassVar
 
 import numpy as np
 
 from optimus.logic import Facts, Operator, ground
 from optimus.motion.plan import Segment
-from optimus.objects.shapes import Surface
+from optimus.objects.shapes import Shape
 from optimus.predicates import Clear, HandEmpty, Holding, On, Released, kinds_of, pose_of, way_open
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose, error_between, quat_from_rotvec, quat_mul, rotvec_from_quat, turn_towards
+from optimus.skills import room
+from optimus.skills.room import MARGIN
 from optimus.skills.skill import Refinement, Way, Workspace, gripper_action
 from optimus.state import State
 
 RELEASE_GAP = 0.001
 """Things are let go this far above their support [m]."""
-SPACING = 0.05
-"""Between the candidate spots of a surface [m]; the outermost ones are besides."""
 SAME_SPOT = 0.005
 """[m]"""
-AMPLE = 0.25
-"""A surface with more than this to every side [m] is large."""
 QUICK_TARGETS = 10
 """Poses tried before a thing is believed not to go to a place."""
-MARGIN = 0.015
-"""Kept from a surface's edge, and between things [m]."""
 
 
 class Place:
@@ -58,7 +54,7 @@ class Place:
         frame = pose_of(scene, state, support)
         radius = scene.shape_of(thing).reach(_stood_up(state, thing).matrix @ _in_hand(state).matrix)
         home = frame.inverse.transform(workspace.home.pos)
-        for x, y in _grid(shape.surface, radius + MARGIN, home):
+        for x, y in room.grid(shape.surface, (radius + MARGIN, radius + MARGIN), home):
             point = frame.transform((x, y, shape.surface.z))
             apart = all(self._apart(workspace, state, point, radius, other) for other in state.poses if other != thing)
             if apart and not scene.is_covered(point, radius + MARGIN, support) and not scene.in_swing(point, radius, support):
@@ -76,23 +72,64 @@ class Place:
         support: str,
         rng: np.random.Generator,
         done: Sequence[Array] = (),
+        crowded: bool = False,
     ) -> Iterator[Pose]:
         """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical. None that is
-        left at a spot that has come to be one of those `done`, `(3,)` [m]."""
+        left at a spot that has come to be one of those `done`, `(3,)` [m]. `crowded`: those near the edges first."""
         hand = _stood_up(state, thing)
         upright = _levelled(hand, workspace.home)
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
         if _heading(hand) is not None:  # leaning into something: never from behind
             turns = [0.0, 0.4, -0.4, 0.8, -0.8]
         shape = workspace.scene.shape_of(thing)
-        for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng):
-            for yaw in workspace.order(turns, rng):
+        tried = ((point, turns) for point in workspace.order(list(self.spots(workspace, state, thing, support)), rng))
+        if not room.is_large(workspace.scene, support):
+            tight = self._tight(workspace, state, thing, support, upright, max(turns) if _heading(hand) is not None else np.pi)
+            tried = chain(tight, reversed(list(tried))) if crowded else chain(tried, tight)
+        for point, yaws in tried:
+            for yaw in workspace.order(yaws, rng):
                 if any(np.hypot(*(point - other)[:2]) < SAME_SPOT for other in done):
                     break
-                quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
-                # the thing, not the tcp, goes over the spot
-                put = Pose(np.zeros(3), quat) @ _in_hand(state)
-                yield Pose(point - put.pos + (0.0, 0.0, shape.above(put.matrix) + RELEASE_GAP), quat)
+                yield _over(point, yaw, upright, state, shape)
+
+    def _tight(
+        self, workspace: Workspace, state: State, thing: str, support: str, upright: Array, largest: float
+    ) -> Iterator[tuple[Array, list[float]]]:
+        """The nooks in which the fingers have room to open, each with the one turn."""
+        shape = workspace.scene.shape_of(thing)
+        for point, yaw in self.nooks(workspace, state, thing, support, upright, largest):
+            goal = _over(point, yaw, upright, state, shape)
+            if workspace.is_free(_let_go(workspace, state, thing, goal), goal):
+                yield point, [yaw]
+
+    def nooks(
+        self, workspace: Workspace, state: State, thing: str, support: str, upright: Array, largest: float
+    ) -> Iterator[tuple[Array, float]]:
+        """Points `(3,)` [m] of the support's surface where there is room for the thing if the hand `upright` is turned by that much
+        [rad] and the thing lies along the surface's sides: those nearest to its edges first, for what comes after.
+
+        None where neither the thing nor another is long: there is no more room then than `spots` found.
+        """
+        scene = workspace.scene
+        shape, surface = scene.shape_of(thing), scene.shape_of(support).surface
+        assert surface is not None
+        put, frame = Pose(np.zeros(3), upright) @ _in_hand(state), pose_of(scene, state, support)
+        own = room.sides(shape, Pose(np.zeros(3), put.quat))
+        if own is None and all(room.sides(scene.shape_of(n), pose) is None for n, pose in state.poses.items() if n != thing):
+            return
+        long = np.array([1.0, 0.0]) if own is None else own[0]
+        along = np.arctan2(*frame.matrix[1::-1, 0]) - np.arctan2(long[1], long[0])
+        home = frame.inverse.transform(workspace.home.pos)
+        for yaw in sorted((float(np.remainder(along + k * np.pi / 2 + np.pi, 2 * np.pi) - np.pi) for k in range(4)), key=abs):
+            turned = Pose(np.zeros(3), quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), put.quat))
+            covered = room.discs(shape, turned)
+            half = np.abs((frame.inverse.matrix @ turned.matrix)[:2]) @ np.array(shape.half_extents)
+            if abs(yaw) > largest + 1e-6 or half[0] > surface.half_x or half[1] > surface.half_y:
+                continue
+            for x, y in reversed(room.grid(surface, half + MARGIN, home, room.FINE)):
+                point = frame.transform((x, y, surface.z))
+                if room.is_free(scene, state, thing, support, covered + np.array([*point[:2], 0.0]), point[2]):
+                    yield point, yaw
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
         """Whether what is held in `state` could be put down: a quick test of the last poses alone, not of the whole ways there."""
@@ -103,14 +140,14 @@ class Place:
     def refine(
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
-        thing, support = args
+        (thing, support), crowded = args, workspace.crowded
         done: list[Array] = []
         """Where it could be put, and what had to be done then could not: to turn it there is tried last."""
         given: list[Pose] = []
         for seen in (done, ()):
             if seen is not done and not done:
                 return  # nothing was left out
-            targets = self.targets(workspace, state, thing, support, rng, seen)
+            targets = self.targets(workspace, state, thing, support, rng, seen, crowded)
             fresh = (pose for pose in targets if not any(_same(pose, other) for other in given))
             for way, carry in workspace.approaches("carry", state, fresh, True, rng):
                 for refinement in self._release(workspace, state, thing, way, carry, rng):
@@ -122,10 +159,12 @@ class Place:
         self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator
     ) -> Iterator[Refinement]:
         """The rest after `carry`, if it can be done."""
-        assert state.held is not None
         q, goal = carry.q[-1], carry.end
-        put = goal @ state.held.tcp_from_object
-        left = replace(state, q=q, tcp=goal, held=None, opening=workspace.open_width).moved(thing, put)
+        left = replace(_let_go(workspace, state, thing, goal), q=q)
+        workspace.checker.look_at(left)
+        if (blocked := workspace.checker.check(q)) is not None:  # the fingers, as they open
+            workspace.failures.append(("open", blocked))
+            return
         back = next(workspace.ways_back(left, goal, way))
         retreat = workspace.travel("retreat", left, back, False, rng)
         if retreat is not None:
@@ -145,18 +184,23 @@ class Stack(Place):
         assert shape.surface is not None
         yield pose_of(workspace.scene, state, support).transform((0.0, 0.0, shape.surface.z))
 
+    def nooks(
+        self, workspace: Workspace, state: State, thing: str, support: str, upright: Array, largest: float
+    ) -> Iterator[tuple[Array, float]]:
+        """None: there is one spot on top of a thing."""
+        return iter(())
 
-def _grid(surface: Surface, inset: float, home: Array) -> list[tuple[float, float]]:
-    """Points of a surface `inset` away from its edges: first the one nearest to `home` `(3,)` that has `AMPLE` about it, or the
-    middle of a smaller surface, then outwards. All in the surface's frame [m]."""
-    spans, centre = [], []
-    for half, at in ((surface.half_x, home[0]), (surface.half_y, home[1])):
-        n, outermost = max(0, int((half - inset) / SPACING)), max(0.0, half - inset)
-        spans.append(sorted({k * SPACING for k in range(-n, n + 1)} | {-outermost, outermost}))
-        ample = max(0.0, half - AMPLE)
-        centre.append(min(max(float(at), -ample), ample))
-    points = [(x, y) for x in spans[0] for y in spans[1]]
-    return sorted(points, key=lambda p: (round(float(np.hypot(p[0] - centre[0], p[1] - centre[1])), 6), p))
+
+def _over(point: Array, yaw: float, upright: Array, state: State, shape: Shape) -> Pose:
+    """The tcp's pose at which the thing, not the tcp, is over the point, the hand turned by `yaw` [rad]."""
+    quat = quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), upright)
+    put = Pose(np.zeros(3), quat) @ _in_hand(state)
+    return Pose(point - put.pos + (0.0, 0.0, shape.above(put.matrix) + RELEASE_GAP), quat)
+
+
+def _let_go(workspace: Workspace, state: State, thing: str, goal: Pose) -> State:
+    """The state once the thing is let go with the tcp at `goal`, but for the arm's configuration."""
+    return replace(state, tcp=goal, held=None, opening=workspace.open_width).moved(thing, goal @ _in_hand(state))
 
 
 def _same(a: Pose, b: Pose) -> bool:

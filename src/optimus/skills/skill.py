@@ -63,6 +63,8 @@ class Workspace:
     """`(stage, what was in the way)`, newest last: the planner learns from it."""
     purpose: Purpose | None = None
     """Of the skill that is being refined, as far as it is known."""
+    crowded: bool = False
+    """Whether something else is to be put later where the skill that is being refined puts its thing."""
 
     missed: list[tuple[str, Pose]] = field(default_factory=list)
     """Grasps that came up empty: the thing, and `object_from_tcp`."""
@@ -235,6 +237,12 @@ class Workspace:
     def fits(self, state: State, goal: Pose) -> bool:
         """Whether the arm can stay at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
         return next(self.settled(state, goal), None) is not None
+
+    def is_free(self, state: State, goal: Pose) -> bool:
+        """Whether the hand is free at `goal` in one configuration of the arm: a hundred times as quick as `fits`."""
+        self.checker.look_at(state)
+        q = next(self.kinematics.solutions(goal, state.q), None)
+        return q is not None and self.checker.check(q) is None
 
     def order(self, items: list[T], rng: np.random.Generator) -> list[T]:
         """As they are, or in random order if the style says so."""
