@@ -160,6 +160,34 @@ def test_several_things_find_room_where_the_first_one_must_not_stand_in_the_midd
     assert attempt.success, attempt.failure
 
 
+def in_bins(edge: float, places: dict[str, tuple[float, float]], goal: dict[str, str]) -> ManipulationEnv:
+    """Cubes in two bins, left and right."""
+    problem = task("pick-place").problem(0)
+    table = next(f for f in problem.scene.fixtures if f.name == "table")
+    bins = (Fixture(name, bin_of(edge, 0.05, WOOD), (0.5, y, 0.025)) for name, y in (("left", 0.25), ("right", -0.25)))
+    scene = replace(problem.scene, fixtures=(table, *bins), movables=tuple(Movable(name, CUBE) for name in places))
+    poses = {name: Pose.of((0.5 + x, y, 0.01 + CUBE.half_extents[2])) for name, (x, y) in places.items()}
+    wanted = frozenset(fact for name, where in goal.items() for fact in (On(name, where), Released(name)))
+    drawn = replace(problem, scene=scene, poses=poses, goal=wanted)
+    return ManipulationEnv(replace(task("pick-place"), draw=lambda rng: drawn, horizon=1000), images=False)
+
+
+def test_two_things_that_stand_where_the_other_is_to_go_change_places() -> None:
+    """Neither bin has room for both: one has to be put elsewhere first."""
+    env = in_bins(0.16, {"a": (0.0, 0.25), "b": (0.0, -0.25)}, {"a": "right", "b": "left"})
+    attempt = demonstrate(env, 0, ExpertConfig(check=True))
+    assert attempt.success, attempt.failure
+    assert attempt.episode is not None and len(attempt.episode.skeleton) == 6
+
+
+def test_a_wall_between_the_open_fingers_is_seen() -> None:
+    """In the corner of a bin the open fingers stand astride its wall, and meet nothing until they shut."""
+    env = in_bins(0.16, {"a": (-0.04, 0.21)}, {"a": "right"})
+    env.reset(seed=0)
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+    assert isinstance(found, Infeasible) or validate(found, env.world.scene, env.problem.goal) == []
+
+
 def test_what_was_in_the_way_when_time_ran_out_is_no_verdict() -> None:
     found = _out_of_time(Infeasible("no room", "place", ("a", "b"), ("table",)))
     assert str(found) == "planning time spent, so far: no room at place(a, b), in the way: table"

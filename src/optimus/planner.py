@@ -238,7 +238,7 @@ def _lesson(binding: _Binding, workspace: Workspace, learned: Facts) -> Facts:
     way to hold the thing would do, then no way to take it as it stands serves to put it where it was to go."""
     if binding.culprit is None:
         return frozenset()
-    culprit, put_down = binding.culprit, binding.put_down
+    culprit, put_down = binding.aim or binding.culprit, binding.put_down
     found = frozenset(obstructs(name, culprit) for name in binding.blame if name in workspace.scene.movable_names)
     if found <= learned and put_down is not None and binding.aim is None:
         found |= {obstructs(put_down.args[0], put_down)}

@@ -166,13 +166,14 @@ class Scene:
     def is_covered(self, point: Array, margin: float, support: str) -> bool:
         """Whether another fixture than `support` stands on `point`, or within `margin` [m] of it."""
         return any(
-            np.all(point[:2] > low[:2] - margin)
-            and np.all(point[:2] < high[:2] + margin)
-            and low[2] - 0.05 < point[2] < high[2] - 1e-3
-            for fixture in self.fixtures
-            if fixture.name != support
-            for low, high in fixture.boxes
+            np.all(point[:2] > low[:2] - margin) and np.all(point[:2] < high[:2] + margin)
+            for low, high in self.standing_at(point[2], support)
         )
+
+    def standing_at(self, height: float, support: str) -> list[tuple[Array, Array]]:
+        """The boxes (see `Fixture.boxes`) of other fixtures than `support` that are as high as what stands at that height [m]."""
+        boxes = (box for fixture in self.fixtures if fixture.name != support for box in fixture.boxes)
+        return [(low, high) for low, high in boxes if low[2] - 0.05 < height < high[2] - 1e-3]
 
     def in_swing(self, point: Array, radius: float, support: str) -> bool:
         """Whether a thing of `radius` [m] at `point` would be in the way of a door, or of the hand that pulls it. What lies behind

@@ -96,6 +96,8 @@ class Pick:
         q, goal = reach.q[-1], reach.end
         taken = replace(_held(state, thing, goal), q=q)
         assert taken.held is not None
+        if not workspace.fingers_move(taken, q):
+            return
         for back in workspace.ways_back(taken, goal, way):
             lift = workspace.travel("lift", taken, back, True, rng)
             if lift is not None:

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from optimus.collision import Blocked
 from optimus.logic import Facts, Operator, ground
 from optimus.motion.plan import Segment
 from optimus.objects.shapes import Shape
@@ -86,11 +87,15 @@ class Place:
         if not room.is_large(workspace.scene, support):
             tight = self._tight(workspace, state, thing, support, upright, max(turns) if _heading(hand) is not None else np.pi)
             tried = chain(tight, reversed(list(tried))) if crowded else chain(tried, tight)
+        point = None
         for point, yaws in tried:
             for yaw in workspace.order(yaws, rng):
                 if any(np.hypot(*(point - other)[:2]) < SAME_SPOT for other in done):
                     break
                 yield _over(point, yaw, upright, state, shape)
+        if point is None:  # what stands there takes up all the room
+            others = (name for name in room.standing_on(workspace.scene, state, support) if name != thing)
+            workspace.failures.extend(("room", Blocked(name, thing)) for name in others)
 
     def _tight(
         self, workspace: Workspace, state: State, thing: str, support: str, upright: Array, largest: float
@@ -106,29 +111,22 @@ class Place:
         self, workspace: Workspace, state: State, thing: str, support: str, upright: Array, largest: float
     ) -> Iterator[tuple[Array, float]]:
         """Points `(3,)` [m] of the support's surface where there is room for the thing if the hand `upright` is turned by that much
-        [rad] and the thing lies along the surface's sides: those nearest to its edges first, for what comes after.
-
-        None where neither the thing nor another is long: there is no more room then than `spots` found.
-        """
+        [rad] and the thing lies along the surface's sides: those nearest to its edges first, for what comes after."""
         scene = workspace.scene
         shape, surface = scene.shape_of(thing), scene.shape_of(support).surface
         assert surface is not None
         put, frame = Pose(np.zeros(3), upright) @ _in_hand(state), pose_of(scene, state, support)
-        own = room.sides(shape, Pose(np.zeros(3), put.quat))
-        if own is None and all(room.sides(scene.shape_of(n), pose) is None for n, pose in state.poses.items() if n != thing):
-            return
-        long = np.array([1.0, 0.0]) if own is None else own[0]
-        along = np.arctan2(*frame.matrix[1::-1, 0]) - np.arctan2(long[1], long[0])
         home = frame.inverse.transform(workspace.home.pos)
+        along = np.arctan2(frame.matrix[1, 0], frame.matrix[0, 0]) - _heading_of_sides(put)
         for yaw in sorted((float(np.remainder(along + k * np.pi / 2 + np.pi, 2 * np.pi) - np.pi) for k in range(4)), key=abs):
             turned = Pose(np.zeros(3), quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), put.quat))
-            covered = room.discs(shape, turned)
-            half = np.abs((frame.inverse.matrix @ turned.matrix)[:2]) @ np.array(shape.half_extents)
+            covered = room.outline(shape, turned)
+            half = np.abs(covered @ frame.matrix[:2, :2]).max(0)
             if abs(yaw) > largest + 1e-6 or half[0] > surface.half_x or half[1] > surface.half_y:
                 continue
             for x, y in reversed(room.grid(surface, half + MARGIN, home, room.FINE)):
                 point = frame.transform((x, y, surface.z))
-                if room.is_free(scene, state, thing, support, covered + np.array([*point[:2], 0.0]), point[2]):
+                if room.is_free(scene, state, thing, support, covered + point[:2], point[2]):
                     yield point, yaw
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:
@@ -160,11 +158,9 @@ class Place:
     ) -> Iterator[Refinement]:
         """The rest after `carry`, if it can be done."""
         q, goal = carry.q[-1], carry.end
-        left = replace(_let_go(workspace, state, thing, goal), q=q)
-        workspace.checker.look_at(left)
-        if (blocked := workspace.checker.check(q)) is not None:  # the fingers, as they open
-            workspace.failures.append(("open", blocked))
+        if not workspace.fingers_move(state, q):
             return
+        left = replace(_let_go(workspace, state, thing, goal), q=q)
         back = next(workspace.ways_back(left, goal, way))
         retreat = workspace.travel("retreat", left, back, False, rng)
         if retreat is not None:
@@ -224,6 +220,12 @@ def _stood_up(state: State, thing: str) -> Pose:
     axes = state.poses[thing].matrix
     up = axes[:, int(np.abs(axes[2]).argmax())]
     return Pose(state.tcp.pos, quat_mul(turn_towards(up, np.array([0.0, 0.0, np.sign(up[2])])), state.tcp.quat))
+
+
+def _heading_of_sides(put: Pose) -> float:
+    """Where a level side of a thing points to, about the vertical [rad]."""
+    x, y = put.matrix[:2, int(np.abs(put.matrix[2]).argmin())]
+    return float(np.arctan2(y, x))
 
 
 def _levelled(tcp: Pose, home: Pose) -> Array:

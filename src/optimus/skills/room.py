@@ -1,4 +1,4 @@
-"""Room on a support: what things cover, seen from above, as discs; a long thing is a row of them."""
+"""Room on a support: what things cover, seen from above, as convex outlines."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from optimus.objects.shapes import STANDS, Shape, Surface, unrolled
+from optimus.objects.shapes import STANDS, Shape, Surface, stands, unrolled
+from optimus.predicates import pose_of
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose
 from optimus.state import State
@@ -14,53 +15,62 @@ from optimus.state import State
 MARGIN = 0.015
 """Kept from a surface's edge, and between things [m]."""
 LEVEL = 0.98
-"""What lies this flat is as wide and as long as its sides: the cosine between an axis of it and the vertical."""
-MOST = 8
-"""Discs of one thing."""
+"""What lies this flat covers a rectangle: the cosine between an axis of it and the vertical."""
+ROUND = 16
+"""Sides of what stands for a circle."""
 SPACING, FINE = 0.05, 0.025
 """Between the candidate spots of a surface, and where room is short [m]; the outermost ones are besides."""
 AMPLE = 0.25
 """A surface with more than this to every side [m] is large."""
 
 
-def sides(shape: Shape, pose: Pose) -> tuple[Array, Array] | None:
-    """Half the sides that a thing shows from above, the longer one first, as vectors `(2,)` [m]; None of one that leans, and of one
-    that is about as wide as long."""
-    if shape.symmetric and abs(pose.matrix[2, 2]) < STANDS:
+def outline(shape: Shape, pose: Pose) -> Array:
+    """Corners `(n, 2)` [m] of what a thing covers, seen from above, in order: a rectangle, or a circle about a body of revolution
+    that stands and about what leans."""
+    if shape.symmetric and not stands(pose):
         pose = unrolled(pose)
-    axes = pose.matrix * np.array(shape.half_extents)
     up = int(np.abs(pose.matrix[2]).argmax())
-    short, long = sorted((axes[:2, i] for i in range(3) if i != up), key=lambda v: float(v @ v))
-    if abs(pose.matrix[2, up]) < LEVEL or long @ long < 2.0 * (short @ short):
-        return None
-    return long, short
+    if abs(pose.matrix[2, up]) < LEVEL or (shape.symmetric and abs(pose.matrix[2, 2]) > STANDS):
+        angles = 2 * np.pi * np.arange(ROUND) / ROUND
+        radius = shape.reach(pose.matrix) / np.cos(np.pi / ROUND)
+        return pose.pos[:2] + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    a, b = ((pose.matrix * np.array(shape.half_extents))[:2, i] for i in range(3) if i != up)
+    return pose.pos[:2] + np.array([a + b, b - a, -a - b, a - b])
 
 
-def discs(shape: Shape, pose: Pose) -> Array:
-    """Discs that cover a thing, seen from above: rows `x, y, radius` [m]."""
-    found = sides(shape, pose)
-    if found is None:
-        return np.array([[*pose.pos[:2], shape.reach(pose.matrix)]])
-    long, short = found
-    count = min(MOST, int(np.ceil(np.sqrt((long @ long) / (short @ short)) - 1e-6)))
-    along = (2.0 * np.arange(count) + 1.0) / count - 1.0
-    radius = np.hypot(*long) / count, np.hypot(*short)
-    return np.column_stack([pose.pos[:2] + along[:, None] * long, np.full(count, np.hypot(*radius))])
+def gap(a: Array, b: Array) -> float:
+    """How far apart two convex outlines are [m], or somewhat less: by the line, along a side of either, that parts them best."""
+    return max(_along_sides(a, b), _along_sides(b, a))
+
+
+def _along_sides(a: Array, b: Array) -> float:
+    edges = np.roll(a, -1, axis=0) - a
+    normals = np.column_stack([edges[:, 1], -edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
+    outwards = np.sign(((a - a.mean(0)) * normals).sum(1))[:, None] * normals
+    return float(((outwards @ b.T).min(1) - (outwards * a).sum(1)).max())
 
 
 def is_free(scene: Scene, state: State, thing: str, support: str, covered: Array, height: float) -> bool:
-    """Whether discs that `thing` is to cover on `support`, at that height, are clear of all other things, of what else stands
-    there, and of doors."""
-    for other, pose in state.poses.items():
-        if other != thing and _least_gap(covered, discs(scene.shape_of(other), pose)) < MARGIN:
-            return False
-    points = [(np.array([x, y, height]), r) for x, y, r in covered]
-    return not any(scene.is_covered(p, r + MARGIN, support) or scene.in_swing(p, r, support) for p, r in points)
+    """Whether the outline `covered` that `thing` is to have on `support`, at that height [m], is clear of all other things, of what
+    else stands there, and of doors."""
+    others = [outline(scene.shape_of(n), pose) for n, pose in state.poses.items() if n != thing]
+    others += [_rectangle(low, high) for low, high in scene.standing_at(height, support)]
+    if any(gap(covered, other) < MARGIN for other in others):
+        return False
+    return not any(scene.in_swing(np.array([*corner, height]), MARGIN, support) for corner in covered)
 
 
-def _least_gap(a: Array, b: Array) -> float:
-    apart = np.linalg.norm(a[:, None, :2] - b[None, :, :2], axis=2)
-    return float((apart - a[:, None, 2] - b[None, :, 2]).min())
+def _rectangle(low: Array, high: Array) -> Array:
+    return np.array([(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])])
+
+
+def standing_on(scene: Scene, state: State, support: str) -> list[str]:
+    """The things whose middle is over the support's surface."""
+    surface, frame = scene.shape_of(support).surface, pose_of(scene, state, support)
+    at = {name: frame.inverse.transform(pose.pos) for name, pose in state.poses.items() if name != support}
+    if surface is None:
+        return []
+    return [n for n, p in at.items() if abs(p[0]) <= surface.half_x and abs(p[1]) <= surface.half_y and p[2] > surface.z]
 
 
 def is_large(scene: Scene, support: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import ClassVar, Protocol, TypeVar
 
@@ -26,6 +26,8 @@ T = TypeVar("T")
 
 FASTEST = 0.5
 """No plan is for a faster tcp than this [m/s]."""
+FINGER_STEPS = 5
+"""Openings that are looked at, from shut to open."""
 SPEED_SHARE = 0.9
 """Of the joints' speed limits, what a plan makes use of."""
 
@@ -237,6 +239,17 @@ class Workspace:
     def fits(self, state: State, goal: Pose) -> bool:
         """Whether the arm can stay at `goal` at all, with whatever it holds in `state`; if not, why is added to `failures`."""
         return next(self.settled(state, goal), None) is not None
+
+    def fingers_move(self, state: State, q: Array) -> bool:
+        """Whether the fingers can open and shut about what is held in `state`, the arm at `q`: they may stand astride a wall, open
+        on both sides of it. If not, why is added to `failures`."""
+        for opening in np.linspace(0.0, self.open_width, FINGER_STEPS):
+            self.checker.look_at(replace(state, opening=float(opening)))
+            blocked = self.checker.check(q)
+            if blocked is not None:
+                self.failures.append(("fingers", blocked))
+                return False
+        return True
 
     def is_free(self, state: State, goal: Pose) -> bool:
         """Whether the hand is free at `goal` in one configuration of the arm: a hundred times as quick as `fits`."""
