@@ -184,7 +184,7 @@ def test_a_wall_between_the_open_fingers_is_seen() -> None:
     """In the corner of a bin the open fingers stand astride its wall, and meet nothing until they shut."""
     env = in_bins(0.16, {"a": (-0.04, 0.21)}, {"a": "right"})
     env.reset(seed=0)
-    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0))
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0), Budget(seconds=2.0))
     assert isinstance(found, Infeasible) or validate(found, env.world.scene, env.problem.goal) == []
 
 
