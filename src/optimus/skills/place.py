@@ -72,11 +72,11 @@ class Place:
         thing: str,
         support: str,
         rng: np.random.Generator,
-        done: Sequence[Array] = (),
+        done: Sequence[Pose] = (),
         crowded: bool = False,
     ) -> Iterator[Pose]:
         """Tcp poses to let go at: spot by spot, the hand's home orientation first, then turned about the vertical. None that is
-        left at a spot that has come to be one of those `done`, `(3,)` [m]. `crowded`: those near the edges first."""
+        left at a spot where it has been let go at one of those `done`. `crowded`: those near the edges first."""
         hand = _stood_up(state, thing)
         upright = _levelled(hand, workspace.home)
         turns = [0.0, np.pi / 2, -np.pi / 2, np.pi / 4, -np.pi / 4]
@@ -90,7 +90,7 @@ class Place:
         point = None
         for point, yaws in tried:
             for yaw in workspace.order(yaws, rng):
-                if any(np.hypot(*(point - other)[:2]) < SAME_SPOT for other in done):
+                if any(np.hypot(*(point - (pose @ _in_hand(state)).pos)[:2]) < SAME_SPOT for pose in done):
                     break
                 yield _over(point, yaw, upright, state, shape)
         if point is None:  # what stands there takes up all the room
@@ -139,19 +139,17 @@ class Place:
         self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator
     ) -> Iterator[Refinement]:
         (thing, support), crowded = args, workspace.crowded
-        done: list[Array] = []
-        """Where it could be put, and what had to be done then could not: to turn it there is tried last."""
-        given: list[Pose] = []
+        done: list[Pose] = []
+        """Where it could be let go, and what had to be done then could not: to turn it there is tried last."""
         for seen in (done, ()):
             if seen is not done and not done:
                 return  # nothing was left out
             targets = self.targets(workspace, state, thing, support, rng, seen, crowded)
-            fresh = (pose for pose in targets if not any(_same(pose, other) for other in given))
+            fresh = (pose for pose in targets if not any(_same(pose, other) for other in done))
             for way, carry in workspace.approaches("carry", state, fresh, True, rng):
                 for refinement in self._release(workspace, state, thing, way, carry, rng):
                     yield refinement
-                    done.append((carry.end @ _in_hand(state)).pos)
-                    given.append(carry.end)
+                    done.append(carry.end)
 
     def _release(
         self, workspace: Workspace, state: State, thing: str, way: Way, carry: Segment, rng: np.random.Generator
