@@ -104,7 +104,7 @@ class Place:
         shape = workspace.scene.shape_of(thing)
         for point, yaw in self.nooks(workspace, state, thing, support, upright, largest):
             goal = _over(point, yaw, upright, state, shape)
-            if workspace.is_free(_let_go(workspace, state, thing, goal), goal):
+            if workspace.hand_is_free(_let_go(workspace, state, thing, goal), goal):
                 yield point, [yaw]
 
     def nooks(
@@ -117,6 +117,8 @@ class Place:
         assert surface is not None
         put, frame = Pose(np.zeros(3), upright) @ _in_hand(state), pose_of(scene, state, support)
         home = frame.inverse.transform(workspace.home.pos)
+        height = float(frame.transform((0.0, 0.0, surface.z))[2])
+        others = room.obstacles(scene, state, thing, support, height)
         along = np.arctan2(frame.matrix[1, 0], frame.matrix[0, 0]) - _heading_of_sides(put)
         for yaw in sorted((float(np.remainder(along + k * np.pi / 2 + np.pi, 2 * np.pi) - np.pi) for k in range(4)), key=abs):
             turned = Pose(np.zeros(3), quat_mul(quat_from_rotvec((0.0, 0.0, yaw)), put.quat))
@@ -126,7 +128,7 @@ class Place:
                 continue
             for x, y in reversed(room.grid(surface, half + MARGIN, home, room.FINE)):
                 point = frame.transform((x, y, surface.z))
-                if room.is_free(scene, state, thing, support, covered + point[:2], point[2]):
+                if room.is_free(scene, support, covered + point[:2], height, others):
                     yield point, yaw
 
     def possible(self, workspace: Workspace, state: State, args: tuple[str, ...], rng: np.random.Generator) -> bool:

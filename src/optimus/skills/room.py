@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from optimus.objects.shapes import STANDS, Shape, Surface, stands, unrolled
+from optimus.objects.shapes import Shape, Surface, stands, unrolled
 from optimus.predicates import pose_of
 from optimus.scene import Scene
 from optimus.se3 import Array, Pose
@@ -27,10 +27,11 @@ AMPLE = 0.25
 def outline(shape: Shape, pose: Pose) -> Array:
     """Corners `(n, 2)` [m] of what a thing covers, seen from above, in order: a rectangle, or a circle about a body of revolution
     that stands and about what leans."""
-    if shape.symmetric and not stands(pose):
+    is_round = shape.symmetric and stands(pose)
+    if shape.symmetric and not is_round:
         pose = unrolled(pose)
     up = int(np.abs(pose.matrix[2]).argmax())
-    if abs(pose.matrix[2, up]) < LEVEL or (shape.symmetric and abs(pose.matrix[2, 2]) > STANDS):
+    if is_round or abs(pose.matrix[2, up]) < LEVEL:
         angles = 2 * np.pi * np.arange(ROUND) / ROUND
         radius = shape.reach(pose.matrix) / np.cos(np.pi / ROUND)
         return pose.pos[:2] + radius * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -50,11 +51,14 @@ def _along_sides(a: Array, b: Array) -> float:
     return float(((outwards @ b.T).min(1) - (outwards * a).sum(1)).max())
 
 
-def is_free(scene: Scene, state: State, thing: str, support: str, covered: Array, height: float) -> bool:
-    """Whether the outline `covered` that `thing` is to have on `support`, at that height [m], is clear of all other things, of what
-    else stands there, and of doors."""
+def obstacles(scene: Scene, state: State, thing: str, support: str, height: float) -> list[Array]:
+    """Outlines of what `thing` has to keep clear of on `support`, at that height [m]: other things, and fixtures on it."""
     others = [outline(scene.shape_of(n), pose) for n, pose in state.poses.items() if n != thing]
-    others += [_rectangle(low, high) for low, high in scene.standing_at(height, support)]
+    return others + [_rectangle(low, high) for low, high in scene.standing_at(height, support)]
+
+
+def is_free(scene: Scene, support: str, covered: Array, height: float, others: Sequence[Array]) -> bool:
+    """Whether the outline `covered` on `support`, at that height [m], is clear of `others`, and of doors."""
     if any(gap(covered, other) < MARGIN for other in others):
         return False
     return not any(scene.in_swing(np.array([*corner, height]), MARGIN, support) for corner in covered)

@@ -251,8 +251,9 @@ class Workspace:
                 return False
         return True
 
-    def is_free(self, state: State, goal: Pose) -> bool:
-        """Whether the hand is free at `goal` in one configuration of the arm: a hundred times as quick as `fits`."""
+    def hand_is_free(self, state: State, goal: Pose) -> bool:
+        """Whether the hand is free at `goal` with the arm in the first configuration that reaches it: one check, where `fits` makes
+        up to a dozen."""
         self.checker.look_at(state)
         q = next(self.kinematics.solutions(goal, state.q), None)
         return q is not None and self.checker.check(q) is None
