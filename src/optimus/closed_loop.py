@@ -36,8 +36,8 @@ LOST = -0.3
 """What has fallen below this [m] comes to rest nowhere: nobody waits for it."""
 RESTS = 0.05
 """Where a thing that was moved will stay is known below this speed [m/s]."""
-OFF_PATH, OFF_FOR = 0.04, 4
-"""The hand is astray when it has been this far off the planned path [m] for so many steps."""
+OFF_PATH = 0.025
+"""The hand is astray when it is this far off the planned path [m]."""
 
 
 @dataclass(frozen=True)
@@ -51,10 +51,12 @@ class Vigilance:
     stuck_for: int = 40
     """Steps without progress along a path after which it is given up."""
     others: bool = False
-    """Somebody else acts too: look whether things and doors still are where the plan supposes them, whether the hand has
-    taken already what it was to take, or is where the plan does not lead; that a thing was lost is not the grasp's fault; and where
-    there is no plan any more, go home, and end if there is none from there either: an answer by a plan that does not hold is
-    none."""
+    """Somebody else changes the world: look whether things and doors still are where the plan supposes them; that a thing was lost
+    is not the grasp's fault; and where there is no plan any more, go home, and end if there is none from there either: an answer
+    by a plan that does not hold is none."""
+    led: bool = False
+    """Somebody else leads the hand, too: look whether it is where the plan does not lead, or has taken already what it was to
+    take. An answer is one to where the hand is, then, whatever the plan was when it was left to somebody else."""
     patience: int = 10
     """Steps on the way home until planning is tried again that failed ..."""
     vain: int = 6
@@ -66,7 +68,8 @@ class Vigilance:
 
 
 ALONE = Vigilance()
-SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
+WATCHFUL = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
+SHARED = replace(WATCHFUL, led=True, seconds=0.5)
 
 
 class ClosedLoop:
@@ -108,9 +111,9 @@ class ClosedLoop:
         self._follower.errors = self.errors
         self._lets_go = plan.start.held is None and self._env.state().held is not None
         """Whether it begins by opening a hand that has hold of something."""
-        self._empty = self._stuck = self._over = self._moved = self._held = self._off = 0
+        self._empty = self._stuck = self._over = self._moved = self._held = 0
         """Steps for which the hand has been empty, the arm has got no further, the plan has been over, things were elsewhere, the
-        hand has had hold of what it was to take only then, it was off the path."""
+        hand has had hold of what it has yet to take."""
         self._mark: tuple[object, float] = (None, -1.0)
         """The segment, and how far along it [m], of the step before."""
 
@@ -139,7 +142,7 @@ class ClosedLoop:
             return None
         answer = self._follower.act(observation)
         trouble = self._trouble(answer is None)
-        if self._vigilance.others and self._wait == 0 and answer is not None:
+        if self._vigilance.led and self._wait == 0 and answer is not None:
             self._astray = self._astray or self._led_astray(observation)
         astray, self._astray = self._astray, ""
         if astray:
@@ -163,7 +166,7 @@ class ClosedLoop:
         plan = self._solve(self._env.state())
         if isinstance(plan, Infeasible):
             self.infeasible = str(plan)
-            self._empty = self._stuck = self._moved = self._held = self._off = 0
+            self._empty = self._stuck = self._moved = self._held = 0
             if not self._vigilance.others:
                 return answer
             self._falling = self._in_motion()
@@ -207,9 +210,8 @@ class ClosedLoop:
     def _led_astray(self, observation: Observation) -> str:
         """Why the plan is no answer to where the hand is, though all else is as it supposes; empty if it is one."""
         state, stall = self._env.state(), self._law.stall
-        self._off = self._off + 1 if self._follower.off(observation) > OFF_PATH else 0
         self._held = self._held + 1 if state.held is not None and self._takes() == state.held.name else 0
-        return TAKEN if self._held > stall else ASTRAY if self._off >= OFF_FOR else ""
+        return TAKEN if self._held > stall else ASTRAY if self._follower.off(observation) > OFF_PATH else ""
 
     def _takes(self) -> str:
         """What the skill that it is at has yet to take, empty if nothing."""

@@ -9,7 +9,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from optimus.closed_loop import ALONE, SHARED, ClosedLoop
+from optimus.closed_loop import ALONE, SHARED, WATCHFUL, ClosedLoop
 from optimus.conditions import Conditions, Mishap
 from optimus.data.episode import MISHAP, Episode, Observation
 from optimus.env import ManipulationEnv
@@ -129,7 +129,7 @@ def demonstrate(
 
     `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
     `mishap` changes the world; by default, that of `config` for this seed, which may be a grasp that misses. With any of them, the
-    expert looks whether things still are where its plan supposes them.
+    expert looks whether things still are where its plan supposes them, and with a `meddler`, whether the hand is.
     """
     kind: MishapKind | None = mishap.kind if mishap is not None else config.mishap(seed)
     mishap = mishap or Conditions(None if kind == "miss" else kind).mishap(seed)
@@ -142,7 +142,7 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    vigilance = ALONE if meddler is None and kind is None else SHARED
+    vigilance = SHARED if meddler is not None else ALONE if kind is None else WATCHFUL
     expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
     pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
     if meddler is not None:
