@@ -20,6 +20,7 @@ from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
 from optimus.motion.plan import Plan
 from optimus.planner import Budget, solve
+from optimus.rollout import Perturbation
 from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.tasks import task
@@ -242,19 +243,23 @@ def test_a_thing_that_was_moved_is_looked_for_where_it_is(name: str) -> None:
     assert attempt.success, attempt.failure
 
 
-def test_alone_nothing_is_watched_that_was_not_before() -> None:
-    """Demonstrations without anybody else's hand in them stay what they were: an unmoved scene is no reason to plan again."""
+@pytest.mark.parametrize("perturbed", [False, True])
+def test_alone_nothing_is_watched_that_was_not_before(perturbed: bool) -> None:
+    """Demonstrations without anybody else's hand in them stay what they were: an unmoved scene is no reason to plan again, and in
+    its own turns the expert is pushed as it always is."""
     env = ManipulationEnv(task("stack-three"), images=False)
+    config = ExpertConfig(perturbation=Perturbation() if perturbed else None)
 
     class Nobody:
-        def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
-            return np.zeros(label.shape)
+        def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> None:
+            return None
 
     for seed in range(3):
-        plain = demonstrate(env, seed, ExpertConfig()).episode
-        watched = demonstrate(env, seed, ExpertConfig(), lambda rng: Nobody()).episode
+        plain = demonstrate(env, seed, config).episode
+        watched = demonstrate(env, seed, config, lambda rng: Nobody()).episode
         assert plain is not None and watched is not None
         np.testing.assert_array_equal(plain.actions, watched.actions)
+        assert np.any(watched.actions != watched.executed) == perturbed
         assert watched.info["retried_because"] == []
 
 

@@ -54,9 +54,6 @@ class Vigilance:
     """Somebody else changes the world: look whether things and doors still are where the plan supposes them; that a thing was lost
     is not the grasp's fault; and where there is no plan any more, go home, and end if there is none from there either: an answer
     by a plan that does not hold is none."""
-    led: bool = False
-    """Somebody else leads the hand, too: look whether it is where the plan does not lead, or has taken already what it was to
-    take. An answer is one to where the hand is, then, whatever the plan was when it was left to somebody else."""
     patience: int = 10
     """Steps on the way home until planning is tried again that failed ..."""
     vain: int = 6
@@ -69,7 +66,8 @@ class Vigilance:
 
 ALONE = Vigilance()
 WATCHFUL = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
-SHARED = replace(WATCHFUL, led=True, seconds=0.5)
+SHARED = replace(WATCHFUL, seconds=0.5)
+"""Where somebody else leads the hand, it plans again often."""
 
 
 class ClosedLoop:
@@ -102,8 +100,8 @@ class ClosedLoop:
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
         """Whether something was in motion when it failed."""
-        self._astray = ""
-        """Why its plan is given up before the next answer, whatever became of it."""
+        self._astray, self._led = "", False
+        """Why its plan is given up before the next answer, whatever became of it; whether somebody else has led the hand."""
         self._follow(plan)
 
     def _follow(self, plan: Plan) -> None:
@@ -132,6 +130,11 @@ class ClosedLoop:
         """The hand is where the plan is no answer, as only who led it there knows: plan again before the next one."""
         self._astray = ASTRAY
 
+    def hand_over(self) -> None:
+        """Somebody else leads the hand in this step: the next answer is to be one to where that takes it, whatever the plan was,
+        and what the hand has taken by then it need not take."""
+        self._led = True
+
     def slack(self, steady: float) -> float:
         """See `PlanFollower.slack`."""
         return self._follower.slack(steady)
@@ -142,7 +145,7 @@ class ClosedLoop:
             return None
         answer = self._follower.act(observation)
         trouble = self._trouble(answer is None)
-        if self._vigilance.led and self._wait == 0 and answer is not None:
+        if self._led and self._wait == 0 and answer is not None:
             self._astray = self._astray or self._led_astray(observation)
         astray, self._astray = self._astray, ""
         if astray:
@@ -208,10 +211,13 @@ class ClosedLoop:
         return np.append(arm, -1.0).clip(-1.0, 1.0).astype(np.float32)
 
     def _led_astray(self, observation: Observation) -> str:
-        """Why the plan is no answer to where the hand is, though all else is as it supposes; empty if it is one."""
-        state, stall = self._env.state(), self._law.stall
+        """Why the plan is no answer to where the hand has been led, though all else is as it supposes; empty if it is one."""
+        state = self._env.state()
         self._held = self._held + 1 if state.held is not None and self._takes() == state.held.name else 0
-        return TAKEN if self._held > stall else ASTRAY if self._follower.off(observation) > OFF_PATH else ""
+        self._led = self._held > 0
+        if self._held > self._law.stall:
+            return TAKEN
+        return ASTRAY if self._follower.off(observation) > OFF_PATH else ""
 
     def _takes(self) -> str:
         """What the skill that it is at has yet to take, empty if nothing."""
