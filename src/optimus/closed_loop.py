@@ -21,7 +21,6 @@ from optimus.state import State
 EMPTY = "empty hand"
 MOVED = "something was moved"
 ASTRAY = "led astray"
-TAKEN = "taken already"
 LOOK_AFTER = LAST_LOOK - 2
 """Steps after the plan's end in which what it let go may settle."""
 STAYED = 0.015
@@ -36,8 +35,6 @@ LOST = -0.3
 """What has fallen below this [m] comes to rest nowhere: nobody waits for it."""
 RESTS = 0.05
 """Where a thing that was moved will stay is known below this speed [m/s]."""
-OFF_PATH = 0.025
-"""The hand is astray when it is this far off the planned path [m]."""
 
 
 @dataclass(frozen=True)
@@ -51,9 +48,9 @@ class Vigilance:
     stuck_for: int = 40
     """Steps without progress along a path after which it is given up."""
     others: bool = False
-    """Somebody else changes the world: look whether things and doors still are where the plan supposes them; that a thing was lost
-    is not the grasp's fault; and where there is no plan any more, go home, and end if there is none from there either: an answer
-    by a plan that does not hold is none."""
+    """Somebody else acts too: look whether things and doors still are where the plan supposes them; that a thing was lost is not
+    the grasp's fault; and where there is no plan any more, go home, and end if there is none from there either: an answer by a
+    plan that does not hold is none."""
     patience: int = 10
     """Steps on the way home until planning is tried again that failed ..."""
     vain: int = 6
@@ -65,9 +62,7 @@ class Vigilance:
 
 
 ALONE = Vigilance()
-WATCHFUL = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
-SHARED = replace(WATCHFUL, seconds=0.5)
-"""Where somebody else leads the hand, it plans again often."""
+SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
 
 
 class ClosedLoop:
@@ -100,18 +95,14 @@ class ClosedLoop:
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
         """Whether something was in motion when it failed."""
-        self._astray, self._led = "", False
-        """Why its plan is given up before the next answer, whatever became of it; whether somebody else has led the hand."""
+        self._astray = False
         self._follow(plan)
 
     def _follow(self, plan: Plan) -> None:
         self._follower = PlanFollower(plan, self._law, self._env.control)
         self._follower.errors = self.errors
-        self._lets_go = plan.start.held is None and self._env.state().held is not None
-        """Whether it begins by opening a hand that has hold of something."""
-        self._empty = self._stuck = self._over = self._moved = self._held = 0
-        """Steps for which the hand has been empty, the arm has got no further, the plan has been over, things were elsewhere, the
-        hand has had hold of what it has yet to take."""
+        self._empty = self._stuck = self._over = self._moved = 0
+        """Steps for which the hand has been empty, the arm has got no further, the plan has been over, things were elsewhere."""
         self._mark: tuple[object, float] = (None, -1.0)
         """The segment, and how far along it [m], of the step before."""
 
@@ -128,12 +119,7 @@ class ClosedLoop:
 
     def give_up(self) -> None:
         """The hand is where the plan is no answer, as only who led it there knows: plan again before the next one."""
-        self._astray = ASTRAY
-
-    def hand_over(self) -> None:
-        """Somebody else leads the hand in this step: the next answer is to be one to where that takes it, whatever the plan was,
-        and what the hand has taken by then it need not take."""
-        self._led = True
+        self._astray = True
 
     def slack(self, steady: float) -> float:
         """See `PlanFollower.slack`."""
@@ -144,15 +130,11 @@ class ClosedLoop:
         if self._vain >= self._vigilance.vain:
             return None
         answer = self._follower.act(observation)
-        trouble = self._trouble(answer is None)
-        if self._led and self._wait == 0 and answer is not None:
-            self._astray = self._astray or self._led_astray(observation)
-        astray, self._astray = self._astray, ""
+        trouble, astray = self._trouble(answer is None), self._astray
+        self._astray = False
         if astray:
-            self.retries += [astray] if self.retries[-1:] != [astray] else []
+            self.retries += [ASTRAY] if self.retries[-1:] != [ASTRAY] else []
             return self._plan_again(observation, answer)
-        if self._held > 0 and answer is not None and answer[-1] < 0:
-            return np.append(np.zeros(len(answer) - 1), 1.0).astype(np.float32)
         if self._wait > 0:
             self._wait = self._wait - 1 if self._in_motion() or not self._falling else 0
             return self._homewards() if self._wait > 0 else self._plan_again(observation, answer)
@@ -169,7 +151,7 @@ class ClosedLoop:
         plan = self._solve(self._env.state())
         if isinstance(plan, Infeasible):
             self.infeasible = str(plan)
-            self._empty = self._stuck = self._moved = self._held = 0
+            self._empty = self._stuck = self._moved = 0
             if not self._vigilance.others:
                 return answer
             self._falling = self._in_motion()
@@ -209,24 +191,6 @@ class ClosedLoop:
         twist[3:] *= min(1.0, HOMEWARDS_TURN / max(1e-9, float(np.linalg.norm(twist[3:]))))
         arm = self._env.controller.action_for(twist, self._env.data)
         return np.append(arm, -1.0).clip(-1.0, 1.0).astype(np.float32)
-
-    def _led_astray(self, observation: Observation) -> str:
-        """Why the plan is no answer to where the hand has been led, though all else is as it supposes; empty if it is one."""
-        state = self._env.state()
-        self._held = self._held + 1 if state.held is not None and self._takes() == state.held.name else 0
-        self._led = self._held > 0
-        if self._held > self._law.stall:
-            return TAKEN
-        return ASTRAY if self._follower.off(observation) > OFF_PATH else ""
-
-    def _takes(self) -> str:
-        """What the skill that it is at has yet to take, empty if nothing."""
-        doing = self.doing
-        if doing is None or self._lets_go:
-            return ""
-        step, segment = doing
-        shut = [s for s in step.segments if s.gripper_action and s.shut]
-        return step.operator.args[0] if shut and step.segments.index(segment) <= step.segments.index(shut[0]) else ""
 
     def _grasp(self) -> list[tuple[str, Pose]]:
         """The latest grasp of the plan so far: what it takes, and `object_from_tcp`."""

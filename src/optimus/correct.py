@@ -88,13 +88,13 @@ class Corrections:
         self._left = math.inf if until is None else float(rng.integers(1, until + 1))
         """Steps until the expert acts alone."""
 
-    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64] | None:
-        """What to add to the expert's action `(n,)`; None while it is the expert's turn."""
+    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
+        """What to add to the expert's action `(n,)`."""
         self._left -= 1
         if self._left < 0:
-            return None
+            return np.zeros(label.shape)
         answer = self._agent.act(observation).astype(np.float64)
         mean = self.turns.policy_steps if self._policys else self.turns.expert_steps
         if self._rng.uniform() < 1.0 / mean:
             self._policys = not self._policys
-        return answer - label if self._policys else None
+        return answer - label if self._policys else np.zeros_like(answer)

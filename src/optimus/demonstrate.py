@@ -9,7 +9,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from optimus.closed_loop import ALONE, SHARED, WATCHFUL, ClosedLoop
+from optimus.closed_loop import ALONE, SHARED, ClosedLoop
 from optimus.conditions import Conditions, Mishap
 from optimus.data.episode import MISHAP, Episode, Observation
 from optimus.env import ManipulationEnv
@@ -127,7 +127,7 @@ def demonstrate(
 ) -> Attempt:
     """Reset `env` to the problem of `seed`, plan, and carry the plan out. A function of the arguments alone.
 
-    `meddler(rng)` makes what leads the hand now and then; all else is executed with the perturbation of `config`, if it has one.
+    `meddler(rng)` makes what has a hand in the execution; by default the perturbation of `config`, if it has one.
     `mishap` changes the world; by default, that of `config` for this seed, which may be a grasp that misses. With any of them, the
     expert looks whether things still are where its plan supposes them.
     """
@@ -142,26 +142,21 @@ def demonstrate(
     if wrong:
         failure = f"{INVALID}: {', '.join(sorted({v.what for v in wrong}))}"
         return Attempt(seed, None, failure, seconds, {"variant": info["variant"], "violations": [str(v) for v in wrong]})
-    vigilance = SHARED if meddler is not None else ALONE if kind is None else WATCHFUL
+    vigilance = ALONE if meddler is None and kind is None else SHARED
     expert = ClosedLoop(env, planned.workspace, plan, config.law, planned.rng, config.budget, vigilance)
-    meddling = None if meddler is None else meddler(np.random.default_rng([seed, 7]))
-    pushes = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
+    pushes: Meddler | None = None if config.perturbation is None else Pushes(config.perturbation, pushing, env)
+    if meddler is not None:
+        pushes = meddler(pushing)
+
     steady = 0.0 if config.perturbation is None else config.perturbation.steady
     missed = MissedGrasp(np.random.default_rng([seed, 6]), env, expert) if kind == "miss" else None
 
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
-        slack = expert.slack(steady)
         astray = None if missed is None else missed.next(label)
-        if astray is not None:
-            return astray
-        led = None if meddling is None else meddling.next(seen, label, slack)
-        if led is not None:
-            expert.hand_over()
-            return led
-        return None if pushes is None else pushes.next(seen, label, slack)
+        return astray if astray is not None or pushes is None else pushes.next(seen, label, expert.slack(steady))
 
     episode = rollout(env, observation, expert, "expert", push, mishap)
-    info = {**episode.info, "perturbed": not (pushes is None and meddling is None), **_facts(expert, plan)}
+    info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}
     at = mishap.at if missed is None else missed.at
     if at is not None:
         info[MISHAP] = {"kind": kind, "at": at}

@@ -16,9 +16,6 @@ from optimus.motion.path import JointPath, Path, PosePath
 from optimus.motion.plan import Plan, Segment
 from optimus.se3 import Array, Pose, quat_from_rotvec, quat_mul
 
-WINDOW = 0.04
-"""The arm is looked for so far ahead of where it was on its path, and behind [m]."""
-
 
 @dataclass(frozen=True)
 class TimeLaw:
@@ -178,14 +175,6 @@ class PlanFollower:
         arm = np.clip(delta / self._steering.scale, -1.0, 1.0)
         return np.array([*arm, self._gripper(segment)], np.float32)
 
-    def off(self, observation: Observation) -> float:
-        """How far the arm is off the motion that it is at [m], turns counted in; 0 when the plan is done."""
-        if self.segment is None:
-            return 0.0
-        target = self._steering.target(observation)
-        s = self._path.nearest(target, self._s, WINDOW)
-        return self._path.away(self._path.offset(target, s), tcp_of(observation), s)
-
     def _moved(self, opening: float) -> bool:
         """Whether the fingers have opened or shut since the present segment began."""
         return abs(opening - self._opening) > self.law.finger_motion
@@ -206,7 +195,7 @@ class PlanFollower:
     def _advance(self, target: Array, tcp: Pose, speed: float) -> Array:
         """Go on along the path as the law says; the change of the target, in SI units."""
         law, path = self.law, self._path
-        self._s = path.nearest(target, self._s, WINDOW)
+        self._s = path.nearest(target, self._s, window=0.04)
         offset = path.offset(target, self._s)
         if self._stops_at_end():
             speed = min(speed, law.slowest + law.braking * (path.length - self._s))

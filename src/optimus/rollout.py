@@ -43,9 +43,8 @@ class Agent(Protocol):
 class Meddler(Protocol):
     """Has a hand in what is executed, not in what is recorded as the answer."""
 
-    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64] | None:
-        """What to add to the action `label` `(n,)` before it is executed, None where it has no hand in it; `slack` says how much
-        may happen now, 0 to 1."""
+    def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
+        """What to add to the action `label` `(n,)` before it is executed; `slack` says how much may happen now, 0 to 1."""
         ...
 
 
