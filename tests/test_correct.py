@@ -2,7 +2,6 @@
 
 import json
 import shutil
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -24,12 +23,9 @@ from optimus.rollout import LAST_LOOK
 from optimus.skills import Workspace
 from optimus.tasks import task
 
-SHORT = replace(task("stack"), horizon=80)
-"""Three steps of training lead nowhere: no use in looking on for long."""
-
 
 def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> None:
-    env, config = ManipulationEnv(SHORT), ExpertConfig()
+    env, config = ManipulationEnv(task("stack")), ExpertConfig()
     always = partial(Corrections, Turns(taught[1], policy_steps=1e9, expert_steps=1.0))
     first = demonstrate(env, 3, config, always).episode
     again = demonstrate(env, 3, config, always).episode
@@ -49,7 +45,7 @@ def test_a_policy_is_corrected_with_the_gripper_that_it_was_taught(taught: tuple
     (run / "config.json").write_text(json.dumps(config))
     with pytest.raises(CheckpointError, match="gripper 'continuous', not 'binary'"):
         collect(CollectConfig("stack", tmp_path / "data", 1, turns=Turns(run)))
-    env = ManipulationEnv(SHORT, gripper="continuous")
+    env = ManipulationEnv(task("stack"), gripper="continuous")
     always = partial(Corrections, Turns(run, policy_steps=1e9, expert_steps=1.0))
     episode = demonstrate(env, 3, ExpertConfig(law=TimeLaw(gripper="continuous")), always).episode
     assert episode is not None

@@ -31,9 +31,9 @@ def what_was_done(out: Path) -> dict[str, bytes]:
 
 
 def test_from_the_task_to_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("optimus.run.LEAST_TRAINING", 0.05)
+    monkeypatch.setattr("optimus.run.LEAST_TRAINING", 0.15)
     stages: list[str] = []
-    config = RunConfig("pick-place", tmp_path / "out", 0.15, 5, episodes=1, corrections=True, mishaps=0.5)
+    config = RunConfig("pick-place", tmp_path / "out", 0.4, 5, episodes=1, corrections=True, mishaps=0.5)
     first = run(config, lambda stage, done, total, notes: stages.append(stage))
     assert list(dict.fromkeys(stages)) == ["collect", "first policy", "correct", "train", "evaluate"]
     assert first["evaluation"]["episodes"] == 1 and len(first["evaluation"]["interval"]) == 2
@@ -46,7 +46,7 @@ def test_from_the_task_to_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert what_was_done(config.out) == done
     with pytest.raises(DatasetError, match="minutes"):
         run(RunConfig("pick-place", tmp_path / "out", minutes=5))
-    assert json.loads((tmp_path / "out" / "run.json").read_text())["config"]["minutes"] == 0.15
+    assert json.loads((tmp_path / "out" / "run.json").read_text())["config"]["minutes"] == 0.4
 
 
 @pytest.fixture(scope="module")
