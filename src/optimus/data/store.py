@@ -17,8 +17,6 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
 from optimus.data.episode import OSC, TASKS_OWN, Episode
 from optimus.data.episode_file import (
@@ -155,13 +153,13 @@ def _difference(have: dict[str, Any], want: dict[str, Any]) -> tuple[str, Any, A
 
 
 def installed_versions() -> dict[str, str]:
-    """Versions of Python, this package and numpy."""
-    return {"python": platform.python_version(), "numpy": np.__version__, "optimus-tamp": _package_version()}
+    """Versions of Python, of this package and of what decides about figures: the simulator and the numerics."""
+    return {"python": platform.python_version(), **{name: _version(name) for name in ("optimus-tamp", "numpy", "mujoco", "torch")}}
 
 
-def _package_version() -> str:
+def _version(package: str) -> str:
     try:
-        return metadata.version("optimus-tamp")
+        return metadata.version(package)
     except metadata.PackageNotFoundError:  # run from a source tree that is not installed
         return "unknown"
 

@@ -256,8 +256,8 @@ class _Trainer:
             left = 60 * config.minutes - (time.perf_counter() - self.session_start)
             steps = max(1, round(left / seconds))
         plan = StepPlan(steps)
-        versions = {**installed_versions(), "torch": torch.__version__}
-        settled = {"parameters": policy.parameter_count, "runtime": asdict(runtime), "plan": asdict(plan), "versions": versions}
+        settled = {"parameters": policy.parameter_count, "runtime": asdict(runtime), "plan": asdict(plan)}
+        settled["versions"] = installed_versions()
         checkpoint.write_config(self.run, {"task": policy.inputs.task, **what, **settled})
         return settled
 

@@ -36,9 +36,9 @@ def figure(film: Film, inside: str) -> str:
 
 
 def video(path: Path) -> str:
-    """A film within the page."""
+    """A film within the page, which plays by itself: at rest, browsers lay their controls over most of a film as flat as these."""
     source = _uri(path, "video/mp4")
-    return f'<video controls muted loop playsinline preload="metadata" src="{source}"></video>'
+    return f'<video controls autoplay muted loop playsinline src="{source}"></video>'
 
 
 def picture(source: Path | bytes, caption: str) -> str:

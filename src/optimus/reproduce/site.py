@@ -14,7 +14,6 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-import mujoco
 import torch
 
 from optimus.data.atomic import make_folder, write_json
@@ -59,7 +58,7 @@ class Site:
                     raise DatasetError(f"{self.out} was begun with {key} = {have!r}, not {wanted!r}; name another folder")
             return
         make_folder(self.out)
-        self.record = {"asked": asked, "versions": versions(), "machine": machine(), "seconds": {}}
+        self.record = {"asked": asked, "versions": installed_versions(), "machine": machine(), "seconds": {}}
         write_json(path, self.record)
 
     @contextmanager
@@ -90,11 +89,6 @@ def _said_of_all(recorded: dict[str, Any], now: dict[str, Any]) -> dict[str, Any
     defaults = json.loads(json.dumps(asdict(Budget(now["name"], now["demonstrations"]))))
     presets = {**now["presets"], **recorded.get("presets", {})}
     return {**defaults, **recorded, "presets": presets}
-
-
-def versions() -> dict[str, str]:
-    """Of what decides about figures."""
-    return {**installed_versions(), "torch": torch.__version__, "mujoco": mujoco.__version__}
 
 
 def commit() -> str | None:
