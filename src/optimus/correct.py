@@ -44,8 +44,14 @@ class Turns:
         return {name: value for name, value in said.items() if value is not None}
 
 
+def _changed(run: Path) -> int:
+    """When the weights of a run were written: what is known of older ones does not hold for them."""
+    file = run / "model.safetensors"
+    return file.stat().st_mtime_ns if file.exists() else 0
+
+
 @lru_cache(maxsize=1)
-def _agent(run: Path) -> PolicyAgent:
+def _agent(run: Path, changed: int) -> PolicyAgent:
     # imported here: collecting without a policy needs no torch
     import torch
 
@@ -55,9 +61,13 @@ def _agent(run: Path) -> PolicyAgent:
     return trained_agent(run)
 
 
-@lru_cache(maxsize=1)
 def is_told(run: Path) -> bool:
     """`PolicyInputs.told` of the policy of a run folder."""
+    return _is_told(run, _changed(run))
+
+
+@lru_cache(maxsize=1)
+def _is_told(run: Path, changed: int) -> bool:
     from optimus.learn import checkpoint
 
     return checkpoint.load(run).inputs.told
@@ -81,7 +91,7 @@ class Corrections:
 
     def __init__(self, turns: Turns, rng: np.random.Generator) -> None:
         self.turns, self._rng = turns, rng
-        self._agent = _agent(turns.policy)
+        self._agent = _agent(turns.policy, _changed(turns.policy))
         self._agent.reset(int(rng.integers(2**31)))
         self._policys = bool(rng.uniform() < 0.7)
         until = turns.policy_until

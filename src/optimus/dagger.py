@@ -26,7 +26,7 @@ from optimus.data.atomic import write_json
 from optimus.data.curate import load_curation
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
-from optimus.errors import DatasetError
+from optimus.errors import DatasetError, require_at_least
 from optimus.evaluate import evaluate, trained_robot, validation_starts
 from optimus.learn.begun import train_described
 from optimus.learn.board import BoardName
@@ -59,6 +59,10 @@ class DaggerConfig:
     evaluations: int = 50
     """Episodes, from validation states, in which success is measured before and after each round."""
     workers: int = 0
+
+    def __post_init__(self) -> None:
+        require_at_least(1, dagger=self.rounds, dagger_episodes=self.episodes, dagger_evaluations=self.evaluations)
+        require_at_least(0, workers=self.workers)
 
     @property
     def name(self) -> str:

@@ -1,5 +1,6 @@
 """Named errors. Every one is a child of `OptimusError`, which the command line prints as one line (exit status 2)."""
 
+import math
 from collections.abc import Iterable
 
 
@@ -7,11 +8,25 @@ class OptimusError(Exception):
     """The root of every error that a user can cause and mend."""
 
 
-def require_at_least(least: float, **numbers: float) -> None:
-    """`OptimusError` that names the first of the numbers which is less, or none at all."""
+def require_at_least(least: float, **numbers: float | None) -> None:
+    """`OptimusError` that names the first of the numbers which is less, or none at all; what is None was not asked for."""
     for name, number in numbers.items():
-        if not number >= least:
+        if number is not None and not number >= least:
             raise OptimusError(f"{name.replace('_', ' ')}: {number} is not {least} or more")
+
+
+def require_finite(**numbers: float | None) -> None:
+    """`OptimusError` that names the first of the numbers which has no end; what is None was not asked for."""
+    for name, number in numbers.items():
+        if number is not None and not math.isfinite(number):
+            raise OptimusError(f"{name.replace('_', ' ')}: {number} is no number to count to")
+
+
+def require_below_one(**shares: float) -> None:
+    """`OptimusError` that names the first of the shares which is not at least 0 and less than 1."""
+    for name, share in shares.items():
+        if not 0 <= share < 1:
+            raise OptimusError(f"{name.replace('_', ' ')}: {share} is not 0 or more and less than 1")
 
 
 class UnknownNameError(OptimusError):

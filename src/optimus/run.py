@@ -24,16 +24,18 @@ from optimus.correct import Turns
 from optimus.data.atomic import make_folder, write_json
 from optimus.data.curate import CurationConfig, curate
 from optimus.data.episode import OSC, TASKS_OWN
-from optimus.data.store import EpisodeStore, installed_versions
+from optimus.data.store import EpisodeStore, installed_versions, require_no_dataset
 from optimus.demonstrate import ExpertConfig
-from optimus.errors import DatasetError
-from optimus.evaluate import evaluate, validation_starts
+from optimus.errors import DatasetError, require_at_least, require_finite
+from optimus.evaluate import EvalReport, evaluate, validation_starts
 from optimus.filming import film_outcomes
 from optimus.learn.card import write_card
+from optimus.learn.checkpoint import weights_of
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
 from optimus.robots import Robot
+from optimus.rollout import Perturbation
 from optimus.summary import RunRecord, films_in, summarise
 from optimus.tasks import task as task_named
 
@@ -47,6 +49,7 @@ FIRST_SHARE = 0.55
 EVALUATION_MINUTES = 2.0
 """Kept back for evaluation, films and report."""
 
+LEAST_MINUTES = 0.001
 LEAST_TRAINING = 0.5
 """Minutes of training, however few are left."""
 
@@ -77,6 +80,12 @@ class RunConfig:
     mishaps: float = 0.0
     """Share of the demonstrations in which something happens that the expert makes good; see `ExpertConfig`."""
 
+    def __post_init__(self) -> None:
+        require_at_least(LEAST_MINUTES, minutes=self.minutes)
+        require_finite(minutes=self.minutes)
+        require_at_least(1, episodes=self.episodes, demonstrations=self.demonstrations)
+        require_at_least(0, seed=self.seed, workers=self.workers)
+
     @property
     def about(self) -> dict[str, Any]:
         """What decides about the outcome, JSON-able: a folder is for one of these."""
@@ -86,7 +95,7 @@ class RunConfig:
     @property
     def wanted(self) -> int:
         """Demonstrations to collect."""
-        return self.demonstrations or max(40, round(DEMONSTRATIONS_PER_MINUTE * self.minutes))
+        return self.demonstrations if self.demonstrations is not None else max(40, round(DEMONSTRATIONS_PER_MINUTE * self.minutes))
 
 
 class Journal:
@@ -100,6 +109,8 @@ class Journal:
             there = json.loads(self.path.read_text())
             there["config"] = {"control": OSC, "robot": TASKS_OWN, "mishaps": 0.0, **there["config"]}
             for key, wanted in asked.items():
+                if key == "out":  # a folder may be renamed
+                    there["config"][key] = wanted
                 if there["config"].get(key) != wanted:
                     raise DatasetError(
                         f"{config.out} was begun with {key} = {there['config'].get(key)!r}, not {wanted!r}; "
@@ -134,9 +145,11 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     """Everything, from the task's name to the report. Returns `{evaluation, report, ...}`, JSON-able."""
     task_named(config.task)
     require_control(config.control)
+    require_no_dataset(config.out)
+    wanted = _collection(config, config.out / "data")  # refuses what makes no sense before anything is written
     journal = Journal(config)
     data, policy = config.out / "data", config.out / "policy"
-    collected = _timed(journal, "collect", lambda: _collect(config, data, progress))
+    collected = _timed(journal, "collect", lambda: _collect(wanted, progress))
     journal.value.setdefault("plan_seconds", []).extend(collected.plan_seconds)
     curation = _timed(journal, "curate", lambda: curate(data, CurationConfig(validation_episodes=config.episodes)))
     first, corrections = config.out / "first", config.out / "corrections"
@@ -178,12 +191,14 @@ def _minutes_left(config: RunConfig, journal: Journal) -> float:
     return max(LEAST_TRAINING, config.minutes - journal.spent / 60 - min(EVALUATION_MINUTES, config.minutes / 4))
 
 
-def _collect(config: RunConfig, data: Path, progress: StageProgress) -> Collected:
-    wanted = CollectConfig(
-        config.task, data, config.wanted, config.seed, config.workers, control=config.control, robot=config.robot
-    )
-    wanted = replace(wanted, expert=replace(wanted.expert, mishaps=config.mishaps))
-    return collect(wanted, lambda tally: progress("collect", tally.successes, config.wanted, {}))
+def _collection(config: RunConfig, data: Path) -> CollectConfig:
+    expert = ExpertConfig(perturbation=Perturbation(), mishaps=config.mishaps)
+    how = (config.wanted, config.seed, config.workers)
+    return CollectConfig(config.task, data, *how, expert, control=config.control, robot=config.robot)
+
+
+def _collect(wanted: CollectConfig, progress: StageProgress) -> Collected:
+    return collect(wanted, lambda tally: progress("collect", tally.successes, wanted.episodes, {}))
 
 
 def _correct(config: RunConfig, corrections: Path, first: Path, progress: StageProgress) -> Collected:
@@ -227,15 +242,15 @@ def _train(stage: str, lesson: Lesson, progress: StageProgress) -> None:
 
 
 def _evaluate(config: RunConfig, data: Path, policy: Path, progress: StageProgress) -> dict[str, Any]:
-    path = policy / "evaluation-validation.json"
-    if path.exists():
-        return json.loads(path.read_text())
     starts = validation_starts(data, config.episodes)
+    asked = EvalReport(str(starts[0].task), "validation", (), seed=config.seed, weights=weights_of(policy))
+    if known := asked.answered(policy, [s.seed for s in starts]):
+        return known
 
     def note(done: int, successes: int) -> None:
         progress("evaluate", done, config.episodes, {"successes": str(successes)})
 
-    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot)
+    report = evaluate(policy, starts, "validation", config.seed, config.workers, progress=note, robot=config.robot, keep=True)
     report.write(policy)
     write_card(policy)
     return report.as_dict()

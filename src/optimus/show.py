@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from optimus.closed_loop import ClosedLoop
-from optimus.data.atomic import write_whole
+from optimus.data.atomic import make_folder, write_whole
 from optimus.data.episode import IMAGE_SUFFIX, Episode, Observation
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
@@ -229,7 +229,7 @@ class Film:
 
     def write(self, path: Path, fps: int = 20) -> None:
         """An MP4 (H.264) of all frames."""
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(path.parent)
         aside = path.with_name(f".tmp-{path.name}")
         frames = np.stack([f[: f.shape[0] // 2 * 2, : f.shape[1] // 2 * 2] for f in self.frames])
         iio.imwrite(aside, frames, fps=fps, codec="libx264", macro_block_size=2, output_params=["-crf", "30"])

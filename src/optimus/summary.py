@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,12 +13,15 @@ from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
+from optimus.evaluate import EvalReport
 from optimus.filming import FilmedEpisode, caption_of
 from optimus.learn import checkpoint, metrics
 from optimus.report import DatasetStats, EvaluationStats, ExpertStats, Film, ReportData, Starts
 from optimus.statistics import quantiles, wilson
 from optimus.tasks import task as task_named
 
+EPISODES = 50
+"""Of an evaluation, where nothing else is asked for."""
 Point = tuple[float, float]
 
 
@@ -61,7 +65,7 @@ def summary_of(folder: Path) -> ReportData:
     if (folder / "run.json").exists():
         return summarise(_record(folder))
     trained = checkpoint.read_config(folder)
-    found = [json.loads(path.read_text()) for path in sorted(folder.glob("evaluation-*.json"))]
+    found = [_read(path) for path in sorted(folder.glob("evaluation-*.json"))]
     evaluations = [_evaluation(e) for e in found]
     return ReportData(
         title=f"{folder.name}: a policy for {trained['task']}",
@@ -75,11 +79,19 @@ def summary_of(folder: Path) -> ReportData:
     )
 
 
-def _record(folder: Path) -> RunRecord:
-    evaluation_file = folder / "policy" / "evaluation-validation.json"
+def _read(file: Path) -> dict[str, Any]:
     try:
-        journal, evaluation = json.loads((folder / "run.json").read_text()), json.loads(evaluation_file.read_text())
-    except OSError as error:
+        return json.loads(file.read_text())
+    except (OSError, ValueError) as error:
+        raise DatasetError(f"cannot read {file} ({error}); evaluate again, or remove it") from error
+
+
+def _record(folder: Path) -> RunRecord:
+    try:
+        journal = json.loads((folder / "run.json").read_text())
+        file = EvalReport(journal["config"]["task"], "validation", (), seed=journal["config"]["seed"]).file_name
+        evaluation = json.loads((folder / "policy" / file).read_text())
+    except (OSError, ValueError) as error:
         raise DatasetError(f"{folder} has not been evaluated yet ({error}); call optimus run again to let it go on") from error
     films = films_in(folder / "films", evaluation)
     data = folder / "data"
@@ -90,8 +102,8 @@ def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
     """The films of an evaluation that lie in `folder`, as `film_outcomes` named them."""
     films = []
     for video in sorted(folder.glob("*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
-        kind, index, seed = video.stem.split("-")
-        outcome = evaluation["outcomes"][int(index)] if int(index) < len(evaluation["outcomes"]) else None
+        kind, index, seed = video.stem.rsplit("-", 2)
+        outcome = dict(enumerate(evaluation["outcomes"])).get(int(index)) if index.isdecimal() else None
         if outcome is None or str(outcome["seed"]) != seed or outcome["success"] != (kind == "success"):
             continue  # of another evaluation
         films.append(FilmedEpisode(caption_of(outcome), video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
@@ -104,9 +116,11 @@ def _film(filmed: FilmedEpisode) -> Film:
 
 def _command(asked: dict[str, Any]) -> str:
     """What to type for such a run; a robot that a file describes by its name alone."""
-    words = f"optimus run {asked['task']} --minutes {asked['minutes']:g} --out {asked['out']} --seed {asked['seed']}"
-    usual = {"control": OSC, "robot": TASKS_OWN, "mishaps": 0.0}
-    return words + "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
+    task, out = shlex.quote(asked["task"]), shlex.quote(asked["out"])
+    words = f"optimus run {task} --minutes {asked['minutes']:g} --out {out} --seed {asked['seed']}"
+    usual = {"demonstrations": None, "episodes": EPISODES, "mishaps": 0.0, "control": OSC, "robot": TASKS_OWN}
+    words += "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
+    return words + ("" if asked.get("corrections", True) else " --no-corrections")
 
 
 def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:
@@ -159,7 +173,7 @@ def _starts(store: EpisodeStore, curation: Curation, evaluation: dict[str, Any])
 
 def _commands(asked: dict[str, Any]) -> list[str]:
     """The run's stages one by one, and how to look into it."""
-    out = asked["out"]
+    out = shlex.quote(asked["out"])
     return [
         _command(asked),
         f"optimus evaluate {out}/policy --dataset {out}/data --episodes {asked['episodes']} --seed {asked['seed']}",

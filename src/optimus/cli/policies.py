@@ -50,7 +50,7 @@ def evaluate(
     json: Json = False,
 ) -> None:
     """Measure a policy's success: k of n, with its 95 % interval and the causes of failure. Every outcome is written to the run's
-    folder, as JSON and as JSON lines.
+    folder, as JSON and as JSON lines; interrupted, the same command goes on.
 
     Try:
         optimus evaluate pretrained:pick-place
@@ -72,6 +72,7 @@ def evaluate(
     """
     from optimus import evaluate as evaluation
     from optimus.conditions import Conditions
+    from optimus.data.atomic import make_folder
     from optimus.filming import film_outcomes
     from optimus.learn import checkpoint as checkpoints
     from optimus.learn.card import write_card
@@ -79,6 +80,8 @@ def evaluate(
 
     if repeats < 1:
         raise CheckpointError(f"--repeats {repeats} is not positive")
+    if videos is not None:
+        make_folder(videos)
     run, states = run_folder(run), states or ("random" if dataset is None else "validation")
     conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
     results: dict[str, Any] = {}
@@ -88,7 +91,8 @@ def evaluate(
         starts = _starts(folder, states, dataset, episodes, seed, objects, task) * repeats
         with bar(len(starts), f"evaluate {trained_for} ({which})", "episode") as shown:
             label = evaluation.states_label(states, task, objects)
-            report = evaluation.evaluate(folder, starts, label, seed, workers, component, counter(shown), arm, conditions, compile)
+            how = (component, counter(shown), arm, conditions, compile)
+            report = evaluation.evaluate(folder, starts, label, seed, workers, *how, keep=True)
         report.write(folder)
         write_card(folder)
         results[which] = report.as_dict()
@@ -128,5 +132,5 @@ def _starts(
         raise CheckpointError("--objects are for --states random: validation states have the dataset's own")
     if dataset is None:
         raise CheckpointError("--states validation needs --dataset DIR (or use --states random)")
-    require_same_problems(run, dataset)
+    require_same_problems(run, dataset, task)
     return validation_starts(dataset, episodes)

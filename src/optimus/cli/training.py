@@ -13,6 +13,7 @@ from optimus.cli.output import StageBars, bar, rate, say
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from optimus.dagger import DaggerConfig
     from optimus.learn.board import BoardName
     from optimus.learn.policy import PolicyConfig
     from optimus.learn.recipe import TrainConfig
@@ -62,7 +63,8 @@ def train(
 
     Args:
         out: the run's folder
-        minutes: time to train for; the learning rate anneals over it; 10 unless --epochs, --steps or the recipe say how long
+        minutes: time to train for; the learning rate anneals over it (that of the recipe `paper`: over 100K steps, however long it
+            trains); 10 unless --epochs, --steps or the recipe say how long
         epochs: pass over the demonstrations this many times instead: no result depends on the machine's pace
         steps: train for this many gradient steps instead
         seed: of the first weights and of the order of the data
@@ -87,26 +89,43 @@ def train(
         dagger_plain: add as many demonstrations by the expert alone instead, for comparison
         dagger_evaluations: episodes in which success is measured before and after each round
     """
+    from optimus.dagger import DaggerConfig
     from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
+    from optimus.pretrained import run_folder
 
     chosen = chosen_preset(preset, head, observe)
+    initial = None if initial is None else run_folder(initial)
+    if initial is not None and (preset, head, observe) != ("quick", None, "images"):
+        _require_network_of(initial, chosen.policy)
     how = recipe or chosen.recipe
     asked = Asked(minutes, epochs, steps, seed, demonstrations, how, batch, consecutive, labels, accumulate, ema, precision, device)
+    config = asked.config
+    rounds = DaggerConfig(dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers) if dagger else None
     if is_first():
         for dataset in datasets:
             _curate_if_needed(dataset)
-    if dagger > 0:
+    if rounds is not None:
         _require_plain_lesson(datasets, corrections, initial)
-        rounds = (dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers)
-        _rounds(datasets[0], out, (asked.config, chosen.policy), rounds, board, json)
+        _rounds(datasets[0], out, (config, chosen.policy), rounds, board, json)
         return
     with bar(None, "train", "step", silent=not is_first()) as shown:
-        policy = run_train(datasets, out, asked.config, chosen.policy, _training(shown), corrections, initial, board)
+        policy = run_train(datasets, out, config, chosen.policy, _training(shown), corrections, initial, board)
     if is_first():
         count = policy.parameter_count
-        say({"run": str(out), "preset": preset, "parameters": count}, json, f"{out}  ({count:,} parameters)")
+        network = {"preset": preset} if initial is None else {"initial": str(initial)}
+        say({"run": str(out), **network, "parameters": count}, json, f"{out}  ({count:,} parameters)")
+
+
+def _require_network_of(initial: Path, asked: PolicyConfig) -> None:
+    """`CheckpointError` if another network was asked for than the run has whose weights training is to begin with."""
+    from optimus.errors import CheckpointError
+    from optimus.learn import checkpoint
+
+    if checkpoint.load(initial).config != asked:
+        own = "brings a network of its own, not the one asked for; leave out --preset, --head, --observe"
+        raise CheckpointError(f"--initial {initial} {own}")
 
 
 def _require_plain_lesson(datasets: tuple[Path, ...], corrections: tuple[Path, ...], initial: Path | None) -> None:
@@ -121,15 +140,15 @@ def _rounds(
     dataset: Path,
     out: Path,
     lesson: tuple[TrainConfig, PolicyConfig],
-    rounds: tuple[int, int, bool, int, int],
+    rounds: DaggerConfig,
     board: BoardName,
     json: bool,
 ) -> None:
-    from optimus.dagger import DaggerConfig, dagger
+    from optimus.dagger import dagger
 
     bars = StageBars()
     try:
-        report = dagger(dataset, out, lesson[0], DaggerConfig(*rounds), bars, lesson[1], board)
+        report = dagger(dataset, out, lesson[0], rounds, bars, lesson[1], board)
     finally:
         bars.close()
     lines = [f"{out / row['policy']}: {row['demonstrations']} demonstrations, {rate(row['success'])}" for row in report["rounds"]]

@@ -16,7 +16,7 @@ import re
 import shutil
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -49,7 +49,8 @@ def write_whole(path: Path, payload: bytes | memoryview) -> None:
             file.write(payload)
         aside.replace(path)
     except OSError as error:
-        _discard(aside)
+        with suppress(StorageError):  # where nothing can be written, nothing can be removed either
+            _discard(aside)
         raise StorageError(f"cannot write {path}: {error.strerror or error}; nothing was changed") from error
     except BaseException:
         _discard(aside)

@@ -152,6 +152,12 @@ def _difference(have: dict[str, Any], want: dict[str, Any]) -> tuple[str, Any, A
     return None
 
 
+def require_no_dataset(folder: Path) -> None:
+    """`DatasetError` if the folder is a dataset's: nothing else is written there."""
+    if (folder / DESCRIPTION).exists():
+        raise DatasetError(f"{folder} holds a dataset; name another folder")
+
+
 def installed_versions() -> dict[str, str]:
     """Versions of Python, of this package and of what decides about figures: the simulator and the numerics."""
     return {"python": platform.python_version(), **{name: _version(name) for name in ("optimus-tamp", "numpy", "mujoco", "torch")}}

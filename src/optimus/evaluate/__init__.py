@@ -1,6 +1,6 @@
 """The evaluation protocol: a list of initial states, one episode each, k of n with an honest interval."""
 
-from optimus.evaluate.actors import environment, policy_folder, require_same_problems, trained_robot
+from optimus.evaluate.actors import environment, policy_folder, require_same_problems, task_of, trained_robot
 from optimus.evaluate.outcome import EvalReport, Outcome, states_label
 from optimus.evaluate.start import RANDOM_SEEDS_FROM, Start, random_starts, validation_starts
 from optimus.evaluate.trials import evaluate, play
@@ -17,6 +17,7 @@ __all__ = [
     "random_starts",
     "require_same_problems",
     "states_label",
+    "task_of",
     "trained_robot",
     "validation_starts",
 ]

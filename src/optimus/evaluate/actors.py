@@ -30,9 +30,12 @@ def trained_robot(run: Path, asked: Robot | None = None) -> Robot | None:
     return asked
 
 
-def require_same_problems(run: Path, dataset: Path) -> None:
-    """`DatasetError` if the states of `dataset` are those of another task or robot than the policy in `run` was trained with."""
+def require_same_problems(run: Path, dataset: Path, task: str | None = None) -> None:
+    """`DatasetError` if the states of `dataset` are those of another task or robot than the policy in `run` was trained with, or of
+    another of its tasks than `task`."""
     inputs, store = checkpoint.load(run).inputs, EpisodeStore.open(dataset)
+    if task is not None and store.task != task:
+        raise DatasetError(f"{dataset} was collected with task = {store.task!r}, not {task!r}; name another")
     for what, have, fits in (
         ("task", store.task, checkpoint.tasks_of(inputs.task)),
         ("robot", store.robot, (inputs.robot,)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,9 @@ from optimus.conditions import USUAL, Conditions
 from optimus.data.atomic import write_json, write_whole
 from optimus.statistics import wilson
 from optimus.words import slug
+
+UNFINISHED = ".unfinished"
+"""Ending of the file that an evaluation keeps beside its report to be, see `evaluate.unfinished`."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +47,34 @@ class EvalReport:
     states: str
     outcomes: tuple[Outcome, ...]
     conditions: Conditions = USUAL
+    component: str = "sampled"
+    seed: int = 0
+    """Of the policy's draws, and of random states."""
+    weights: str = ""
+    """Of the policy (`checkpoint.weights_of`)."""
+    compiled: bool = False
+
+    @property
+    def question(self) -> dict[str, Any]:
+        """What was asked, of which weights, JSON-able."""
+        return {
+            "task": self.task,
+            "states": self.states,
+            "conditions": asdict(self.conditions),
+            "component": self.component,
+            "seed": self.seed,
+            "weights": self.weights,
+            "compiled": self.compiled,
+        }
+
+    def answered(self, run: Path, seeds: Sequence[int]) -> dict[str, Any] | None:
+        """The report in that run's folder that answers the same question with episodes from these seeds, if there is one."""
+        try:
+            there = json.loads((run / self.file_name).read_text())
+            same = {key: there.get(key) for key in self.question} == self.question
+            return there if same and [o["seed"] for o in there["outcomes"]] == list(seeds) else None
+        except (OSError, ValueError, KeyError, AttributeError):  # none, or a damaged one
+            return None
 
     @property
     def successes(self) -> int:
@@ -55,9 +87,7 @@ class EvalReport:
     def as_dict(self) -> dict[str, Any]:
         """JSON-able: counts, the Wilson 95 % interval, failures by cause, every outcome."""
         return {
-            "task": self.task,
-            "states": self.states,
-            "conditions": asdict(self.conditions),
+            **self.question,
             "successes": self.successes,
             "episodes": self.episodes,
             "distinct_states": len({o.seed for o in self.outcomes}),
@@ -76,10 +106,13 @@ class EvalReport:
     @property
     def file_name(self) -> str:
         """Of the report in a run's folder."""
-        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said])) + ".json"
+        draws = [self.component if self.component != "sampled" else "", f"seed-{self.seed}" if self.seed else ""]
+        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said, *draws])) + ".json"
 
     def write(self, run: Path) -> None:
-        """`RUN/evaluation-<states>[+<conditions>].json` with everything, and the outcomes beside it as `.jsonl`."""
+        """`RUN/evaluation-<states>[+<conditions>][+<component>][+seed-<n>].json` with everything, the outcomes beside it as
+        `.jsonl`."""
         path = run / self.file_name
         write_whole(path.with_suffix(".jsonl"), self.lines.encode())
         write_json(path, self.as_dict())
+        path.with_suffix(UNFINISHED).unlink(missing_ok=True)

@@ -12,27 +12,38 @@ import torch
 
 from optimus.conditions import USUAL, Conditions
 from optimus.data.episode import Episode
+from optimus.data.episode_file import start_digest
 from optimus.env import ManipulationEnv
-from optimus.errors import CheckpointError
+from optimus.errors import CheckpointError, require_at_least
 from optimus.evaluate.actors import environment, task_of, trained_robot
 from optimus.evaluate.outcome import EvalReport, Outcome
 from optimus.evaluate.start import Start, require_unseen
+from optimus.evaluate.unfinished import Unfinished
 from optimus.learn import checkpoint
 from optimus.learn.agent import Component, PolicyAgent, trained_agent
+from optimus.learn.sources import learned_starts
 from optimus.robots import Robot
 from optimus.rollout import rollout
 from optimus.workers import finished
 
 
 @lru_cache(maxsize=1)
-def _agent(run: Path, component: Component, compiled: bool) -> PolicyAgent:
+def _agent(run: Path, weights: str, component: Component, compiled: bool) -> PolicyAgent:
     torch.set_num_threads(1)
+    if checkpoint.weights_of(run) != weights:
+        raise CheckpointError(f"{run} has been trained on meanwhile; evaluate it again when that is done")
     return trained_agent(run, component, compiled)
+
+
+@lru_cache(maxsize=1)
+def _learned(run: Path, weights: str) -> set[str]:
+    return learned_starts(run)
 
 
 @lru_cache(maxsize=1)
 def _actors(
     run: Path,
+    weights: str,
     component: Component,
     robot: Robot | None,
     task: str | None,
@@ -40,7 +51,7 @@ def _actors(
     conditions: Conditions,
     compiled: bool,
 ) -> tuple[ManipulationEnv, PolicyAgent]:
-    policy = _agent(run, component, compiled)
+    policy = _agent(run, weights, component, compiled)
     return environment(run, policy.policy.inputs, robot, task, objects, conditions), policy
 
 
@@ -73,10 +84,11 @@ class _Witness:
         return what + (", standing still" if self.moved < 0.001 else "")
 
 
-def _evaluate_one(
-    run: Path, start: Start, seed: int, component: Component, robot: Robot | None, conditions: Conditions, compiled: bool
-) -> Outcome:
-    episode, cause = play(run, start, seed, component, robot=robot, conditions=conditions, compiled=compiled)
+def _evaluate_one(run: Path, start: Start, seed: int, asked: EvalReport, component: Component, robot: Robot | None) -> Outcome:
+    how = {"robot": robot, "conditions": asked.conditions, "compiled": asked.compiled, "weights": asked.weights}
+    episode, cause = play(run, start, seed, component, **how)
+    if start.state is None and start_digest(episode.initial_state) in _learned(run, asked.weights):
+        raise CheckpointError(f"{run} has learned from the initial state of seed {start.seed}; evaluate with another --seed")
     return Outcome(
         seed=start.seed,
         success=episode.success,
@@ -98,10 +110,13 @@ def play(
     robot: Robot | None = None,
     conditions: Conditions = USUAL,
     compiled: bool = False,
+    weights: str | None = None,
 ) -> tuple[Episode, str]:
     """One episode of the policy in `run`, and why it failed. A function of the arguments alone. `robot`: the one that it was
-    trained with, needed only where that has no known name; `compiled`: as for `PolicyAgent`."""
-    env, agent = _actors(run, component, robot, start.task, start.objects, conditions, compiled)
+    trained with, needed only where that has no known name; `compiled`: as for `PolicyAgent`; `weights`: those that it is to have
+    (`checkpoint.weights_of`), `CheckpointError` if it has others by now."""
+    weights = weights or checkpoint.weights_of(run)
+    env, agent = _actors(run, weights, component, robot, start.task, start.objects, conditions, compiled)
     options = None if start.state is None else {"state": start.state}
     observation, _ = env.reset(seed=start.seed, options=options)
     # the same answers whichever process plays this episode, and whatever it played before
@@ -129,20 +144,27 @@ def evaluate(
     robot: Robot | None = None,
     conditions: Conditions = USUAL,
     compiled: bool = False,
+    keep: bool = False,
 ) -> EvalReport:
     """One episode from each start. The outcomes are the same for any number of workers. `robot`, `compiled`: as for `play`.
 
-    `CheckpointError` if the policy has learned from one of the initial states.
+    With `keep`, what was found stays in the run's folder should this be interrupted, and the same evaluation goes on from it, until
+    `EvalReport.write` has put the report there. `CheckpointError` if the policy has learned from one of the initial states.
     """
+    require_at_least(0, seed=seed, workers=workers)
     trained_robot(run, robot)
     if not starts:
         raise CheckpointError("nothing to evaluate: no initial states")
     require_unseen(run, starts)
     task = task_of(checkpoint.read_config(run)["task"], starts[0].task, run)
-    outcomes: dict[int, Outcome] = {}
-    how = (component, robot, conditions, compiled)
-    jobs = [partial(_evaluate_one, run, start, seed + i, *how) for i, start in enumerate(starts)]
-    for i, outcome in finished(jobs, workers):
-        outcomes[i] = outcome
+    asked = EvalReport(task, states, (), conditions, component, seed, checkpoint.weights_of(run), compiled)
+    unfinished = Unfinished(run, asked, starts) if keep else None
+    outcomes = dict(unfinished.outcomes) if unfinished else {}
+    left = [i for i in range(len(starts)) if i not in outcomes]
+    jobs = [partial(_evaluate_one, run, starts[i], seed + i, asked, component, robot) for i in left]
+    for job, outcome in finished(jobs, workers):
+        outcomes[left[job]] = outcome
+        if unfinished:
+            unfinished.add(left[job], outcome)
         progress(len(outcomes), sum(o.success for o in outcomes.values()))
-    return EvalReport(task, states, tuple(outcomes[i] for i in range(len(starts))), conditions)
+    return replace(asked, outcomes=tuple(outcomes[i] for i in range(len(starts))))

@@ -81,7 +81,10 @@ def _training(run: Path, config: dict[str, Any]) -> str:
 def _success(run: Path) -> str:
     rows = []
     for file in sorted(run.glob(EVALUATION)):
-        report = json.loads(file.read_text())
+        try:
+            report = json.loads(file.read_text())
+        except (OSError, ValueError):  # damaged: not worth losing a training for
+            continue
         low, high = report["interval"]
         rows.append(
             f"| {report['task']} | {file.stem.removeprefix('evaluation-')} | {report['successes']} of {report['episodes']} | "

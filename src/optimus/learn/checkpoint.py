@@ -6,6 +6,7 @@ Plain JSON and safetensors only: loading one never runs code from the file.
 from __future__ import annotations
 
 import filecmp
+import hashlib
 import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -58,6 +59,15 @@ def best_step(run: Path) -> int | None:
 def best_is_last(run: Path) -> bool:
     """Whether the best policy that is kept is the last one, to the last bit."""
     return filecmp.cmp(run / MODEL_FILE, run / BEST_FOLDER / MODEL_FILE, shallow=False)
+
+
+def weights_of(run: Path) -> str:
+    """A name of the weights in a run's folder: the same one for the same weights alone; `CheckpointError` if there are none."""
+    try:
+        return hashlib.sha256((run / MODEL_FILE).read_bytes()).hexdigest()[:12]
+    except OSError as error:
+        why = error.strerror or error
+        raise CheckpointError(f"cannot read {run / MODEL_FILE} ({why}); train on, or name another run") from error
 
 
 def gripper_of(run: Path) -> str:

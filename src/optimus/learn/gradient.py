@@ -21,7 +21,7 @@ import torch
 from torch import Tensor
 
 from optimus.data.windows import Batch, WindowConfig
-from optimus.errors import OptimusError
+from optimus.errors import OptimusError, require_at_least
 from optimus.learn.batches import BatchSource, ResidentWindows, TensorBatch, on_device
 from optimus.learn.policy import Policy
 from optimus.learn.ranks import Ranks
@@ -71,6 +71,9 @@ class LossConfig:
 
     The gradient of the likelihood is some hundred times as long, and clipped: at a weight of 1 this one is lost.
     """
+
+    def __post_init__(self) -> None:
+        require_at_least(1, batch=self.runs)
 
     def labels(self, cut: WindowConfig) -> int:
         """Labels in a batch, those near the start of an episode included that are left out."""

@@ -6,12 +6,14 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal
 
-from optimus.errors import UnknownNameError
+from optimus.errors import UnknownNameError, require_at_least, require_finite
 from optimus.learn.gradient import LossConfig, Runtime
 from optimus.learn.schedule import RateConfig
 from optimus.learn.state import OptimiserConfig
 
 Device = Literal["auto", "cpu", "cuda"]
+LEAST = 0.001
+"""Of minutes and of epochs."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,12 @@ class TrainConfig:
     """Convolutions in bfloat16; if None, where the hardware has it."""
     runtime: Runtime | None = None
     """Threads and precision; if none, the machine's usual ones, or with a budget of minutes the fastest, measured."""
+
+    def __post_init__(self) -> None:
+        require_at_least(1, steps=self.steps, accumulate=self.accumulate, windows=self.windows)
+        require_at_least(LEAST, epochs=self.epochs, minutes=self.minutes)
+        require_finite(epochs=self.epochs, minutes=self.minutes)
+        require_at_least(0, seed=self.seed)
 
     @property
     def by_the_clock(self) -> bool:

@@ -53,6 +53,9 @@ class Lessons:
     def of(cls, sources: Sources, cut: WindowConfig, demonstrations: int | None = None) -> Lessons:
         """Open them, and of each data set the first so many demonstrations to train on; `DatasetError` if they do not fit together,
         or one has fewer."""
+        folders = [*sources.datasets, *sources.corrections]
+        if twice := [str(f) for i, f in enumerate(folders) if f.resolve() in [other.resolve() for other in folders[:i]]]:
+            raise DatasetError(f"{', '.join(twice)} is named twice; name each dataset once")
         stores = [EpisodeStore.open(path) for path in sources.datasets]
         if not stores:
             raise DatasetError("nothing to train on; name one dataset or several")
@@ -67,10 +70,13 @@ class Lessons:
         learned = [*(first.header(s) for s in curations[0].train), *train]
         held_out = _rest(stores, curations, "validation")
         centre = replace(cut, windows=1, change_weight=1.0)
+        windows = Windows(first, curations[0].train, cut, train)
+        validation = Windows(first, curations[0].validation, centre, held_out)
+        _require_apart(learned, [*(first.header(s) for s in curations[0].validation), *held_out])
         return cls(
             joint_task(store.task for store in stores),
-            Windows(first, curations[0].train, cut, train),
-            Windows(first, curations[0].validation, centre, held_out),
+            windows,
+            validation,
             first.config.get(POSITION_SCALE),
             {**_about(stores, curations, extra), STARTS: _starts(learned, sources.initial)},
         )
@@ -99,10 +105,25 @@ def _about(stores: Sequence[EpisodeStore], curations: Sequence[Curation], extra:
     return said
 
 
+def _require_apart(learned: Sequence[EpisodeHeader], held_out: Sequence[EpisodeHeader]) -> None:
+    """`DatasetError` if an initial state that is held out is learned from in another episode: held-out errors would say nothing."""
+    known = {(h.task, h.start) for h in learned if _has_start(h)}
+    both = [h for h in held_out if _has_start(h) and (h.task, h.start) in known]
+    if both:
+        raise DatasetError(
+            f"{len(both)} of {len(held_out)} held-out episodes begin like one that is learned from ({both[0].path} the first); "
+            "curate all datasets alike, or leave one out"
+        )
+
+
 def _starts(learned: Sequence[EpisodeHeader], initial: Path | None) -> list[str]:
     """Of those episodes (imported ones may have none), and of what the run `initial` was trained on."""
     before = learned_starts(initial) if initial is not None else set()
-    return sorted({h.start for h in learned if h.arrays["initial_state"].shape[0]} | before)
+    return sorted({h.start for h in learned if _has_start(h)} | before)
+
+
+def _has_start(header: EpisodeHeader) -> bool:
+    return header.arrays["initial_state"].shape[0] > 0
 
 
 def learned_starts(run: Path) -> set[str]:

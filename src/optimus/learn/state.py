@@ -19,7 +19,7 @@ from safetensors.torch import save as serialise
 from torch import Tensor, nn
 
 from optimus.data.atomic import make_folder, remove_leftovers, write_whole
-from optimus.errors import CheckpointError
+from optimus.errors import CheckpointError, require_below_one
 from optimus.learn.checkpoint import contiguous, load_weights, read_tensors
 from optimus.learn.policy import Policy
 from optimus.learn.ranks import Ranks
@@ -44,6 +44,9 @@ class OptimiserConfig:
     """False: of the whole gradient at once."""
     average: float = 0.995
     """Decay of the running average, which is the policy that is kept; 0 keeps the newest weights."""
+
+    def __post_init__(self) -> None:
+        require_below_one(ema=self.average)
 
 
 class TrainState:

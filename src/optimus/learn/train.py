@@ -17,6 +17,7 @@ import json
 import math
 import time
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,8 @@ from typing import Any
 import torch
 
 from optimus.data.atomic import make_folder
-from optimus.data.store import installed_versions
+from optimus.data.lock import locked
+from optimus.data.store import installed_versions, require_no_dataset
 from optimus.errors import CheckpointError, OptimusError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.batches import source_on
@@ -84,12 +86,14 @@ def train(
                 "several processes train for steps or epochs, not for minutes: their clocks differ; give --steps or --epochs"
             )
         require_board(watch)
-        trainer = _Trainer(sources, Path(run), config, policy or PolicyConfig(), ranks)
-        trainer.board = board(watch if ranks.first else "none", Path(run), trainer.state.step)
-        try:
-            trainer.run_to_end(progress or (lambda _: None))
-        finally:
-            trainer.close()
+        require_no_dataset(Path(run))
+        with locked(Path(run)) if ranks.first else nullcontext():
+            trainer = _Trainer(sources, Path(run), config, policy or PolicyConfig(), ranks)
+            trainer.board = board(watch if ranks.first else "none", Path(run), trainer.state.step)
+            try:
+                trainer.run_to_end(progress or (lambda _: None))
+            finally:
+                trainer.close()
         return trainer.state.average.eval().cpu()
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,7 +11,7 @@ from optimus.collect import CollectConfig, collect
 from optimus.conditions import USUAL, Conditions
 from optimus.data.curate import CURATION_FILE, CurationConfig, curate
 from optimus.demonstrate import ExpertConfig
-from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, states_label, validation_starts
+from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, states_label, task_of, validation_starts
 from optimus.expert import TimeLaw
 from optimus.learn import checkpoint
 from optimus.learn.presets import HeadName, Observe, preset
@@ -152,17 +151,18 @@ class Lesson:
         run = policy_folder(self.run(site, seed), trial.which)
         if trial.which == "best" and checkpoint.best_is_last(self.run(site, seed)):
             run = self.run(site, seed)
-        file = run / EvalReport(self.name, trial.label, (), trial.under(site)).file_name
-        if file.exists():
-            return json.loads(file.read_text())
         n, stage = site.budget.episodes, f"evaluate {self.name} {trial.name}".strip()
         if trial.states == "validation":
             starts = validation_starts(self.datasets[0].folder(site), n)
         else:
             starts = random_starts(n, seed, trial.objects, trial.task)
+        task = task_of(checkpoint.read_config(run)["task"], starts[0].task, run)
+        asked = EvalReport(task, trial.label, (), trial.under(site), seed=seed, weights=checkpoint.weights_of(run))
+        if known := asked.answered(run, [s.seed for s in starts]):
+            return known
         with site.timed(stage):
             note = lambda done, k: site.progress(stage, done, n, {"successes": str(k)})  # noqa: E731
-            report = evaluate(run, starts, trial.label, seed, site.workers, progress=note, conditions=trial.under(site))
+            report = evaluate(run, starts, trial.label, seed, site.workers, progress=note, conditions=trial.under(site), keep=True)
         report.write(run)
         return report.as_dict()
 
