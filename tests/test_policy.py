@@ -22,13 +22,14 @@ from optimus.data.turns import as_columns
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError
 from optimus.learn import checkpoint
-from optimus.learn.agent import PolicyAgent, compiler
+from optimus.learn.agent import PolicyAgent
 from optimus.learn.encoder import Encoder, EncoderConfig, SpatialSoftmax
 from optimus.learn.gradient import LossConfig, batch_loss, windows_of
 from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
+from optimus.learn.onnx_runtime import is_installed
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.train import fresh_policy
-from optimus.learn.trunk import Transformer, TransformerConfig, dropout
+from optimus.learn.trunk import LSTMConfig, MLPConfig, Transformer, TransformerConfig, TrunkConfig, dropout
 from synthetic import CAMERAS, make_dataset, make_episode
 
 torch.set_num_threads(1)  # tests run in several processes
@@ -218,11 +219,11 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
     _check_answers(PolicyAgent(policy, "likeliest"))
 
 
-@pytest.mark.skipif(compiler() is None, reason="no C++ compiler")
-def test_a_compiled_agent_answers_as_the_policy_does_on_whole_windows() -> None:
-    shallow = PolicyConfig(trunk=TransformerConfig(layers=1))  # each layer takes seconds to compile
-    seen = PolicyInputs("square", CAMERAS[:1], PROPRIOCEPTION, 1)
-    _check_answers(PolicyAgent(fresh_policy(shallow, seen, seed=0).eval(), "likeliest", compiled=True))
+@pytest.mark.skipif(not is_installed(), reason="no ONNX Runtime: pip install 'optimus-tamp[onnx]'")
+@pytest.mark.parametrize("trunk", [TransformerConfig(layers=1), LSTMConfig(), MLPConfig()], ids=lambda trunk: trunk.kind)
+def test_a_compiled_agent_answers_as_the_policy_does_on_whole_windows(trunk: TrunkConfig) -> None:
+    policy = fresh_policy(PolicyConfig(trunk=trunk), PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1), seed=0).eval()
+    _check_answers(PolicyAgent(policy, "likeliest", compiled=True))
 
 
 def _check_answers(agent: PolicyAgent) -> None:
@@ -241,9 +242,9 @@ def _check_answers(agent: PolicyAgent) -> None:
         assert answers[t].dtype == np.float32 and answers[t].shape == (7,)
 
 
-def test_without_a_compiler_a_policy_is_not_compiled(policy: Policy, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CXX", "no-such-compiler")
-    with pytest.raises(CheckpointError, match=r"needs a C\+\+ compiler"):
+def test_without_onnx_runtime_a_policy_is_not_compiled(policy: Policy, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("optimus.learn.onnx_runtime.NEEDED", ("onnx", "no_such_package"))
+    with pytest.raises(CheckpointError, match=r"needs onnx, no_such_package; pip install 'optimus-tamp\[onnx\]'"):
         PolicyAgent(policy, compiled=True)
 
 

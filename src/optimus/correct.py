@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import Observation
+from optimus.data.episode import IMAGE_SIZE, Observation
 from optimus.errors import CheckpointError
 
 if TYPE_CHECKING:
@@ -80,7 +80,11 @@ def require_same_arm(turns: Turns, task: Task, control: str, robot: str, gripper
 
     if (learned := checkpoint.gripper_of(turns.policy)) != gripper:
         raise CheckpointError(f"{turns.policy} was trained with gripper {learned!r}, not {gripper!r}; name another run, or that")
-    trained_with = checkpoint.load(turns.policy, control=control).inputs.robot
+    inputs = checkpoint.load(turns.policy, control=control).inputs
+    if inputs.cameras and inputs.frame != (IMAGE_SIZE, IMAGE_SIZE):
+        usual = f"{IMAGE_SIZE} x {IMAGE_SIZE}"
+        raise CheckpointError(f"{turns.policy} was not trained on images of {usual}, as are collected; name another run")
+    trained_with = inputs.robot
     if trained_with != robot:
         have, wanted = task.robot_text(trained_with), task.robot_text(robot)
         raise CheckpointError(f"{turns.policy} was trained with robot {have}, not {wanted}; name another run, or that robot")

@@ -24,6 +24,8 @@ from optimus.collect import CollectConfig, collect
 from optimus.correct import Turns
 from optimus.data.atomic import write_json
 from optimus.data.curate import load_curation
+from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX
+from optimus.data.episode_file import OBSERVATION_PREFIX
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError, require_at_least
@@ -108,10 +110,20 @@ class _Rounds:
         lessons = {"policy": asdict(network), "train": asdict(lesson)}
         asked = {"dataset": dataset.name, "task": self.store.task, **lessons, **asdict(config)}
         del asked["rounds"], asked["workers"]  # more rounds may be asked for later, and the outcome depends on no workers
+        self._require_usual_images()
         self.file = run / f"{config.name}.json"
         self.report: dict[str, Any] = {"config": json.loads(json.dumps(asked)), "rounds": []}
         if self.file.exists():
             self._go_on()
+
+    def _require_usual_images(self) -> None:
+        """`DatasetError` for images of another size than those of the episodes that rounds add."""
+        for header in self.store.headers()[:1]:
+            for camera in self.store.cameras:
+                size = header.arrays[f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}"].shape[1:3]
+                if size != (IMAGE_SIZE, IMAGE_SIZE):
+                    usual = (IMAGE_SIZE, IMAGE_SIZE)
+                    raise DatasetError(f"{self.dataset}: rounds add images of {usual}, those of {camera} are {size}")
 
     def _go_on(self) -> None:
         there = json.loads(self.file.read_text())

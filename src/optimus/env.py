@@ -71,14 +71,16 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         positions: bool = False,
         gripper: str = BINARY,
         worlds: Callable[[Scene], World] = compile_scene,
+        image_size: int = IMAGE_SIZE,
     ) -> None:
         """`robot` takes the place of the task's own; with `positions`, agents are told how the movables lie; `gripper` is
-        `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one."""
+        `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one; `image_size` [pixels] is the
+        side of what the cameras see."""
         if gripper not in (BINARY, CONTINUOUS):
             raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
         self.gripper, self._worlds = gripper, worlds
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
-        self.positions = positions
+        self.positions, self.image_size = positions, image_size
         self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
@@ -100,7 +102,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 spaces[DOOR_ANGLES] = gymnasium.spaces.Box(-4.0, 4.0, (doors,), np.float32)
         if self.images:
             for camera in self.world.image_cameras:
-                shape = (IMAGE_SIZE, IMAGE_SIZE, 3)
+                shape = (self.image_size, self.image_size, 3)
                 spaces[camera + IMAGE_SUFFIX] = gymnasium.spaces.Box(0, 255, shape, np.uint8)
         return spaces
 
@@ -197,7 +199,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 seen[DOOR_ANGLES] = self.data.qpos[sorted(self.world.door_qpos.values())].astype(np.float32)
         if self.images:
             began = time.process_time()
-            rig = _rig(self.world, IMAGE_SIZE)
+            rig = _rig(self.world, self.image_size)
             for camera in self.world.image_cameras:
                 seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
             self.cpu["rendering"] += time.process_time() - began

@@ -16,8 +16,9 @@ from optimus.bench.config import Progress
 from optimus.bench.yardstick import plain_action, plain_loss, plainly
 from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
 from optimus.data.windows import Batch
-from optimus.learn.agent import PolicyAgent, compiler
+from optimus.learn.agent import PolicyAgent
 from optimus.learn.gradient import LossConfig, batch_loss, usual_runtime
+from optimus.learn.onnx_runtime import is_installed
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.presets import preset
 from optimus.learn.recipe import recipe
@@ -80,14 +81,14 @@ def bench_gradient_step(name: str, rounds: int, seed: int, progress: Progress) -
 
 def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progress: Progress) -> dict[str, Any]:
     """CPU milliseconds of an action, frames to action, on one thread: by encoding the whole window, by encoding the newest frame,
-    and the same compiled where there is a compiler; and by how much the answers differ."""
+    and the same by ONNX Runtime where that is installed; and by how much the answers differ."""
     torch.set_num_threads(1)
     config = preset(name).policy
     policy = fresh_policy(config, made_up_inputs(), seed).eval()
     rng = np.random.default_rng(seed)
     frames = [made_up_frame(rng) for _ in range(config.context + rounds)]
     agents = {"newest_frame": PolicyAgent(policy, "likeliest")}
-    if compiled and compiler():
+    if compiled and is_installed():
         agents["compiled"] = PolicyAgent(policy, "likeliest", compiled=True)
     plain = plainly(policy)
     spent: dict[str, list[float]] = {way: [] for way in ("plain", *agents)}

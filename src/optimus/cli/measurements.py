@@ -67,7 +67,7 @@ def bench(
     Args:
         preset: with step and action: the network to measure, on made-up data; no task and no dataset is needed
         rounds: with --preset: how often a step is timed (an action: ten times as often; a step on a GPU: for some seconds)
-        compile: with action --preset, on the CPU: time it compiled as well, which takes a minute to begin with
+        compile: with action --preset, on the CPU: time it computed by ONNX Runtime as well, if that is installed
         device: with --preset: what computes; on a GPU, elapsed time, with the data resident there
         batch: with step --preset --device cuda: windows in a step
         episodes: how many to run (for render, action and read: frames, actions, batches)

@@ -68,7 +68,8 @@ def evaluate(
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
         videos: write short films of successes and failures to this folder (with --checkpoint both, to `last` and `best` in it)
         horizon: most steps of an episode, where that is fewer than the task's own
-        compile: have PyTorch compile the network first: a minute in each process, then faster answers, equal but for rounding
+        compile: have ONNX Runtime compute the network (extra `onnx`): some seconds in each process, then answers several times as
+            fast, equal but for rounding
     """
     from optimus import evaluate as evaluation
     from optimus.conditions import Conditions

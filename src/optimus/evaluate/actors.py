@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from optimus.conditions import USUAL, Conditions
+from optimus.data.episode import IMAGE_SIZE
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import CheckpointError, DatasetError
@@ -63,6 +64,10 @@ def environment(
     """Where the policy of that run folder and of those inputs acts: its task, its control, its gripper, and the images or the
     positions that it was trained on. `task` and `objects` as `Start` takes them."""
     name = with_objects(task_of(inputs.task, task, run), objects)
+    height, width = inputs.frame or (0, IMAGE_SIZE)
+    if height != width and not inputs.told:
+        sizes = f"{height} x {width}" if inputs.frame else "several sizes"
+        raise CheckpointError(f"{run} was trained on images of {sizes}, here they are square; play it where it was trained")
     return ManipulationEnv(
         conditions.of(task_named(name)),
         images=not inputs.told,
@@ -71,6 +76,7 @@ def environment(
         positions=inputs.told,
         gripper=checkpoint.gripper_of(run),
         worlds=conditions.world,
+        image_size=height,
     )
 
 

@@ -1,7 +1,8 @@
 """A policy as an ONNX file: one step from an observation to an action, with its crops and normalisation inside.
 
-Inputs: `<camera>_image` `(84, 84, 3)` uint8; each low-dimensional observation `(n,)` float32; `tokens` `(context, width)` float32,
-what the step before gave (anything at the first step); `first` (bool): forget what was before.
+Inputs: `<camera>_image` `(84, 84, 3)` uint8 (or of the size that the policy was trained on); each low-dimensional observation
+`(n,)` float32; `tokens` `(context, width)` float32, what the step before gave (anything at the first step); `first` (bool): forget
+what was before.
 
 Outputs: `action` `(chunk, n)` float32, the likeliest, gripper -1 or 1; `next_tokens`, for the next step; and of a mixture
 `weights` `(K,)` and `means` `(K, n)`, to draw from instead.
@@ -11,7 +12,11 @@ from __future__ import annotations
 
 import copy
 import json
+import logging
 import tempfile
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -34,30 +39,44 @@ class ExportError(OptimusError):
 
 def export_onnx(policy: Policy, file: Path) -> None:
     """Write `policy` to `file`; `ExportError` without the packages of the extra `onnx`."""
+    step = OneStep(policy).eval()
+    model = onnx_model(step, step.example(), step.inputs, step.outputs)
+    about = {"inputs": asdict(policy.inputs), "context": policy.config.context, "parameters": policy.parameter_count}
+    for key, value in about.items():
+        model.metadata_props.add(key=f"optimus.{key}", value=json.dumps(value))
+    write_whole(file, model.SerializeToString())
+
+
+def onnx_model(network: nn.Module, example: tuple[Tensor, ...], inputs: list[str], outputs: list[str]) -> Any:
+    """The network as an `onnx.ModelProto`, for inputs of the shapes of `example`; `ExportError` without the packages of the extra
+    `onnx`."""
     try:
         import onnx  # heavy, and few need it: the extra `onnx`
         import onnxscript  # noqa: F401
     except ImportError as error:
         raise ExportError(f"ONNX files need {error.name}, which is not installed; pip install 'optimus-tamp[onnx]'") from error
-    step = OneStep(policy).eval()
-    with tempfile.TemporaryDirectory() as folder, torch.no_grad():
+    with tempfile.TemporaryDirectory() as folder, torch.no_grad(), _without_chatter():
         program = torch.onnx.export(
-            step,
-            step.example(),
-            input_names=step.inputs,
-            output_names=step.outputs,
-            opset_version=OPSET,
-            dynamo=True,
-            verbose=False,
+            network, example, input_names=inputs, output_names=outputs, opset_version=OPSET, dynamo=True, verbose=False
         )
         assert program is not None
         made = Path(folder) / "policy.onnx"
         program.save(str(made))
-        model = onnx.load(str(made))
-    about = {"inputs": asdict(policy.inputs), "context": policy.config.context, "parameters": policy.parameter_count}
-    for key, value in about.items():
-        model.metadata_props.add(key=f"optimus.{key}", value=json.dumps(value))
-    write_whole(file, model.SerializeToString())
+        return onnx.load(str(made))
+
+
+@contextmanager
+def _without_chatter() -> Iterator[None]:
+    """What PyTorch says as it exports is about packages that are not needed, and about its own future."""
+    logger = logging.getLogger("torch.onnx")
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        logger.setLevel(level)
 
 
 class OneStep(nn.Module):
@@ -67,6 +86,7 @@ class OneStep(nn.Module):
         super().__init__()
         self.policy = copy.deepcopy(policy).eval().requires_grad_(False)
         seen = policy.inputs
+        self.frame = seen.frame or (IMAGE_SIZE, IMAGE_SIZE)
         self.inputs = [*(camera + IMAGE_SUFFIX for camera in seen.cameras), *seen.proprioception, "tokens", "first"]
         answers = self._answers(torch.zeros(1, policy.config.trunk.width))
         self.outputs = ["action", "next_tokens", *(("weights", "means") if isinstance(answers, Mixture) else ())]
@@ -75,7 +95,7 @@ class OneStep(nn.Module):
         """Inputs of the right shapes."""
         config, seen = self.policy.config, self.policy.inputs
         return (
-            *(torch.zeros(IMAGE_SIZE, IMAGE_SIZE, 3, dtype=torch.uint8) for _ in seen.cameras),
+            *(torch.zeros(*self.frame, 3, dtype=torch.uint8) for _ in seen.cameras),
             *(torch.ones(size) for size in seen.proprioception.values()),
             torch.zeros(config.context, config.trunk.token),
             torch.tensor(True),
@@ -84,9 +104,9 @@ class OneStep(nn.Module):
     def forward(self, *inputs: Tensor) -> tuple[Tensor, ...]:
         """See the module."""
         policy, values = self.policy, dict(zip(self.inputs, inputs, strict=True))
-        edge = (IMAGE_SIZE - policy.config.crop) // 2
-        inside = slice(edge, edge + policy.config.crop)
-        images = {c: values[c + IMAGE_SUFFIX][inside, inside][None] for c in policy.inputs.cameras}
+        side = policy.config.crop
+        rows, columns = (slice((length - side) // 2, (length - side) // 2 + side) for length in self.frame)
+        images = {c: values[c + IMAGE_SUFFIX][rows, columns][None] for c in policy.inputs.cameras}
         token = policy.token(images, {name: values[name][None] for name in policy.inputs.proprioception})
         moved = torch.cat([values["tokens"][1:], token])
         tokens = torch.where(values["first"], token.expand_as(moved), moved)

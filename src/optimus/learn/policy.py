@@ -12,7 +12,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, OSC, TASKS_OWN, arm_parts
+from optimus.data.episode import IMAGE_SIZE, OBJECT_POSITIONS, OBJECT_TURNS, OSC, TASKS_OWN, arm_parts
 from optimus.data.windows import WindowConfig, Windows
 from optimus.learn.encoder import Encoder, EncoderConfig, ResNetConfig, encoder_config
 from optimus.learn.heads import Answers, Head, HeadConfig, MixtureConfig, head_config
@@ -66,6 +66,8 @@ class PolicyInputs:
     """What an action means: the way of control it was recorded with."""
     robot: str = TASKS_OWN
     """Whose arm it moves."""
+    frame: tuple[int, int] | None = (IMAGE_SIZE, IMAGE_SIZE)
+    """Height and width of the images [pixels], of which the middle is seen; None where cameras differ."""
 
     @property
     def told(self) -> bool:
@@ -88,12 +90,15 @@ class PolicyInputs:
         """The inputs that a dataset has."""
         sizes = {name: array.shape[1] for name, array in windows.proprioception.items()}
         objects, actions = windows.objects.shape[1], windows.actions.shape[1]
-        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot)
+        frames = set(windows.frame_shapes.values()) or {cls.frame}
+        frame = frames.pop() if len(frames) == 1 else None
+        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot, frame)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
-        return cls(**{**value, "cameras": tuple(value["cameras"])})
+        frame = value.get("frame", cls.frame)
+        return cls(**{**value, "cameras": tuple(value["cameras"]), "frame": frame and (frame[0], frame[1])})
 
 
 class Policy(nn.Module):
