@@ -1,23 +1,34 @@
 """Evaluation: the interval against scipy, the outcome against the number of workers."""
 
 import json
+import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import torch
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binomtest
 
+from optimus.collect import CollectConfig, collect
 from optimus.conditions import Conditions
+from optimus.correct import Turns
+from optimus.dagger import DaggerConfig, dagger
+from optimus.data.curate import curate
 from optimus.data.episode import Observation
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.errors import CheckpointError
-from optimus.evaluate import evaluate, play, policy_folder, random_starts, validation_starts
+from optimus.errors import CheckpointError, DatasetError
+from optimus.evaluate import evaluate, play, policy_folder, random_starts, require_same_problems, validation_starts
 from optimus.evaluate.trials import _Witness
 from optimus.learn import checkpoint
+from optimus.learn.agent import PolicyAgent
+from optimus.learn.presets import preset
+from optimus.learn.train import TrainConfig, train
+from optimus.rerender import RenderConfig, rerender
 from optimus.rollout import rollout
 from optimus.statistics import wilson
 from optimus.tasks import task
@@ -101,3 +112,79 @@ def test_a_recorded_demonstration_replays_to_the_same_success() -> None:
     env.reset(seed=11, options={"state": episode.initial_state})
     done = [env.step(action)[2] for action in episode.executed]
     assert done[-1] and not any(done[:-1])
+
+
+SHORT = Conditions(horizon=3)
+
+
+def test_interrupted_it_goes_on_and_ends_the_same(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    whole, run = evaluate(taught[1], random_starts(5), "random", workers=1, conditions=SHORT), tmp_path / "run"
+    shutil.copytree(taught[1], run)
+
+    def stop(done: int, successes: int) -> None:
+        if done == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evaluate(run, random_starts(5), "random", workers=1, progress=stop, conditions=SHORT, keep=True)
+    (kept,) = run.glob("*.unfinished")
+    kept.write_text(kept.read_text() + '{"index": 3, "se')  # killed as it wrote
+    seen: list[int] = []
+    again = evaluate(run, random_starts(5), "random", workers=1, progress=lambda n, _: seen.append(n), conditions=SHORT, keep=True)
+    assert again == whole and seen == [4, 5]
+    again.write(run)
+    assert not list(run.glob("*.unfinished"))
+
+
+def test_what_was_found_is_of_the_weights_that_it_says(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    shutil.copytree(taught[1], run)
+    starts, seeds = random_starts(2), [s.seed for s in random_starts(2)]
+    first = evaluate(run, starts, "random", workers=1, conditions=SHORT)
+    first.write(run)
+    assert first.answered(run, seeds) == first.as_dict()
+    assert first.answered(run, seeds[:1]) is None and replace(first, component="likeliest").answered(run, seeds) is None
+    policy = checkpoint.load(run)
+    checkpoint.save(run, policy)  # perhaps in another order
+    assert checkpoint.weights_of(run) == first.weights
+    with torch.no_grad():
+        next(policy.parameters()).add_(1.0)
+    checkpoint.save(run, policy)
+    second = evaluate(run, starts, "random", workers=1, conditions=SHORT)
+    assert second.weights == checkpoint.weights_of(run) != first.weights and second.answered(run, seeds) is None
+    with pytest.raises(CheckpointError, match="trained on meanwhile"):
+        play(run, starts[0], 0, conditions=SHORT, weights=first.weights)
+    (run / first.file_name).write_text('{"task": ')
+    assert first.answered(run, seeds) is None
+    names = {replace(first, component="likeliest").file_name, replace(first, seed=3).file_name, first.file_name}
+    assert len(names) == 3
+
+
+def test_a_policy_of_two_tasks_that_is_told_the_state_plays_both(tmp_path: Path) -> None:
+    """Things and doors that one of them does not have are at the origin and shut, as in training."""
+    tasks = ("pick-place", "microwave")
+    for name in tasks:
+        collect(CollectConfig(name, tmp_path / name, 3, workers=1, images=False))
+        curate(tmp_path / name)
+    told, run = preset("quick-mlp", observe="state").policy, tmp_path / "run"
+    train([tmp_path / name for name in tasks], run, TrainConfig(steps=1), told)
+    for name in tasks:
+        assert evaluate(run, random_starts(1, task=name), "random", workers=1, conditions=SHORT).task == name
+        assert evaluate(run, validation_starts(tmp_path / name, 1), "validation", workers=1, conditions=SHORT).task == name
+    with pytest.raises(DatasetError, match="task = 'microwave', not 'pick-place'"):
+        require_same_problems(run, tmp_path / "microwave", "pick-place")
+
+
+def test_a_policy_plays_on_frames_of_the_size_that_it_was_trained_on(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    large, run = tmp_path / "large", tmp_path / "run"
+    rerender(taught[0], large, RenderConfig(size=96), workers=1)
+    train(large, run, TrainConfig(steps=1))
+    assert checkpoint.load(run).inputs.frame == (96, 96)
+    episode, _ = play(run, random_starts(1)[0], 0, conditions=SHORT)
+    assert episode.observations["agentview_image"].shape[1:] == (96, 96, 3)
+    with pytest.raises(CheckpointError, match=r"shape \(96, 96, 3\)"):
+        PolicyAgent(run).act(ManipulationEnv(task("stack")).reset(seed=0)[0])
+    with pytest.raises(DatasetError, match=r"rounds add images of \(84, 84\)"):
+        dagger(large, tmp_path / "rounds", TrainConfig(steps=1), DaggerConfig(1))
+    with pytest.raises(CheckpointError, match="not trained on images of 84 x 84"):
+        collect(CollectConfig("stack", tmp_path / "more", 1, workers=1, turns=Turns(run)))

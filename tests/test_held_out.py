@@ -7,10 +7,11 @@ import pytest
 
 from optimus.assets.catalogue import ObjectSet, keys_of
 from optimus.collect import CollectConfig, collect
+from optimus.conditions import Conditions
 from optimus.data.curate import CurationConfig, curate
 from optimus.data.episode import RECEPTACLE
 from optimus.data.store import EpisodeStore
-from optimus.errors import CheckpointError
+from optimus.errors import CheckpointError, DatasetError
 from optimus.evaluate import RANDOM_SEEDS_FROM, evaluate, random_starts, validation_starts
 from optimus.evaluate.start import require_unseen
 from optimus.learn.presets import preset
@@ -99,3 +100,19 @@ def test_a_start_that_the_policy_has_learned_from_is_refused(tmp_path: Path) -> 
     curate(data, CurationConfig())
     store = EpisodeStore.open(data)
     assert {store.header(s).start for s in found.train} <= learned_starts(tmp_path / "on")
+
+
+def test_a_fresh_start_that_is_in_the_training_data_is_refused(tmp_path: Path) -> None:
+    """Nothing keeps a dataset from seeds as high as those of trials."""
+    data, run = tmp_path / "data", tmp_path / "run"
+    collect(CollectConfig("stack", data, 3, seed=RANDOM_SEEDS_FROM, workers=1, images=False))
+    found = curate(data)
+    train(data, run, TrainConfig(steps=1), preset("quick-mlp", observe="state").policy)
+    first = min(found.train) - RANDOM_SEEDS_FROM
+    with pytest.raises(CheckpointError, match=f"learned from the initial state of seed {min(found.train)}"):
+        evaluate(run, random_starts(first + 1)[first:], "random", workers=1, conditions=Conditions(horizon=2))
+    more = tmp_path / "more"
+    collect(CollectConfig("stack", more, 1, seed=found.validation[0], workers=1, images=False))
+    with pytest.raises(DatasetError, match="1 of 1 held-out episodes begin like one that is learned from"):
+        train(data, tmp_path / "other", TrainConfig(steps=1), preset("quick-mlp", observe="state").policy, corrections=more)
+    assert not (tmp_path / "other").exists()

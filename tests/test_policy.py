@@ -20,7 +20,7 @@ from optimus.data.episode import OBJECT_POSITIONS, OBJECT_TURNS, Episode
 from optimus.data.store import EpisodeStore
 from optimus.data.turns import as_columns
 from optimus.data.windows import WindowConfig, Windows
-from optimus.errors import CheckpointError
+from optimus.errors import CheckpointError, UnknownNameError
 from optimus.learn import checkpoint
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.encoder import Encoder, EncoderConfig, SpatialSoftmax
@@ -310,3 +310,15 @@ def test_checkpoints_that_do_not_fit_are_named(policy: Policy, tmp_path: Path) -
     (tmp_path / "config.json").write_text(json.dumps({"model": "of somebody else"}))
     with pytest.raises(CheckpointError, match="does not describe a training run"):
         checkpoint.load(tmp_path)
+
+
+def test_an_observation_that_makes_no_sense_is_refused(policy: Policy) -> None:
+    episode, agent = make_episode(1, 6), PolicyAgent(policy)
+    usual = observation(episode, 0)
+    listed = {name: value.tolist() if value.ndim == 1 else value for name, value in usual.items()}
+    np.testing.assert_array_equal(PolicyAgent(policy).act(listed), agent.act(usual))  # type: ignore[arg-type]
+    name = next(iter(PROPRIOCEPTION))
+    with pytest.raises(CheckpointError, match=f"{name} holds NaN"):
+        agent.act({**usual, name: np.full_like(usual[name], np.nan)})
+    with pytest.raises(UnknownNameError, match="unknown component 'wrong'; valid: continuous, likeliest, paper, sampled"):
+        PolicyAgent(policy, "wrong")  # type: ignore[arg-type]

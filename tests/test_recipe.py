@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import math
 import shutil
 import sys
 from dataclasses import replace
@@ -16,18 +18,22 @@ import torch
 from safetensors.numpy import load_file
 from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
 
+from optimus.cli import main
+from optimus.dagger import DaggerConfig
 from optimus.data.curate import curate, load_curation
+from optimus.data.lock import locked
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
-from optimus.errors import CheckpointError, DatasetError, UnknownNameError
+from optimus.errors import CheckpointError, DatasetError, OptimusError, StorageError, UnknownNameError
 from optimus.learn import checkpoint, metrics
 from optimus.learn.board import BoardError
+from optimus.learn.gradient import LossConfig
 from optimus.learn.heldout import held_out
 from optimus.learn.policy import PolicyInputs
 from optimus.learn.recipe import recipe
 from optimus.learn.schedule import RateConfig, StepPlan
 from optimus.learn.state import OptimiserConfig, TrainState
-from optimus.learn.train import fresh_policy, train
+from optimus.learn.train import Progress, fresh_policy, train
 from synthetic import CAMERAS, make_dataset, make_episode
 from test_train import QUICK, SMALL, Stop
 
@@ -207,3 +213,56 @@ def test_a_run_from_before_these_settings_goes_on(dataset: Path, tmp_path: Path)
     train(dataset, tmp_path, QUICK, SMALL)
     with pytest.raises(CheckpointError, match=r"train\.accumulate = 1, not 2"):
         train(dataset, tmp_path, replace(QUICK, accumulate=2), SMALL)
+
+
+NONSENSE: list[tuple[str, Any]] = [
+    *(("steps", steps) for steps in (0, -3)),
+    *(("epochs", epochs) for epochs in (0.0, -1.0, math.nan, math.inf)),
+    *(("minutes", minutes) for minutes in (0.0, -1.0, math.nan, math.inf)),
+    *(("accumulate", portions) for portions in (0, -1)),
+    ("seed", -1),
+]
+
+
+@pytest.mark.parametrize(("name", "number"), NONSENSE)
+def test_numbers_that_make_no_sense_are_refused(name: str, number: float) -> None:
+    with pytest.raises(OptimusError, match=f"{name}: {number} is n"):
+        replace(QUICK, **{name: number})
+
+
+def test_averages_batches_and_rounds_that_make_no_sense_are_refused() -> None:
+    for average in (-1.0, 1.0, 2.0, math.nan):
+        with pytest.raises(OptimusError, match=f"ema: {average} is not 0 or more and less than 1"):
+            OptimiserConfig(average=average)
+    with pytest.raises(OptimusError, match="batch: 0 is not 1 or more"):
+        LossConfig(runs=0)
+    for rounds in (DaggerConfig, lambda n: DaggerConfig(1, episodes=n), lambda n: DaggerConfig(1, evaluations=n)):
+        with pytest.raises(OptimusError, match="is not 1 or more"):
+            rounds(0)
+
+
+def test_a_run_has_a_folder_of_its_own_and_its_data_once(dataset: Path, tmp_path: Path) -> None:
+    with pytest.raises(DatasetError, match="holds a dataset"):
+        train(dataset, dataset, QUICK, SMALL)
+    with pytest.raises(DatasetError, match="named twice"):
+        train((dataset, dataset), tmp_path / "run", QUICK, SMALL)
+    run = tmp_path / "run"
+
+    def another(progress: Progress) -> None:
+        with pytest.raises(StorageError, match="another process is at work"), locked(run):
+            pass
+
+    train(dataset, run, replace(QUICK, steps=1), SMALL, another)
+    assert not (run / ".lock").exists()
+    with locked(run):
+        pass
+
+
+def test_weights_to_begin_with_bring_their_own_network(dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    train(dataset, tmp_path / "run", replace(QUICK, steps=1), SMALL)
+    words = ["train", str(dataset), "--initial", str(tmp_path / "run"), "--preset", "quick-rnn", "--out", str(tmp_path / "more")]
+    monkeypatch.setattr(sys, "argv", ["optimus", *words])
+    monkeypatch.setattr(sys, "stderr", said := io.StringIO())
+    with pytest.raises(SystemExit):
+        main()
+    assert "brings a network of its own" in said.getvalue() and not (tmp_path / "more").exists()

@@ -1,10 +1,13 @@
 """The main job, small: every stage really runs, and a second call finds everything done."""
 
 import json
+import math
+import shlex
 import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from safetensors.numpy import load_file
@@ -13,13 +16,14 @@ from optimus.cli import main
 from optimus.collect import CollectConfig, collect, open_dataset
 from optimus.correct import Turns
 from optimus.data.store import EpisodeStore
-from optimus.errors import CheckpointError, DatasetError
+from optimus.errors import CheckpointError, DatasetError, OptimusError
 from optimus.evaluate import trained_robot
 from optimus.learn import checkpoint
 from optimus.learn.train import TrainConfig, train
 from optimus.robots import PANDA
 from optimus.robots.catalogue import robot
 from optimus.run import Journal, RunConfig, run
+from optimus.summary import _command
 
 
 def what_was_done(out: Path) -> dict[str, bytes]:
@@ -128,3 +132,26 @@ def test_a_run_from_before_arms_were_recorded_goes_on(tmp_path: Path) -> None:
     assert Journal(config).value["config"] == config.about
     with pytest.raises(DatasetError, match="robot"):
         Journal(replace(config, robot=robot("ur5e")))
+
+
+def test_what_makes_no_sense_is_refused_before_anything_is_written(tmp_path: Path) -> None:
+    def refused(**asked: Any) -> str:
+        with pytest.raises(OptimusError) as caught:
+            run(RunConfig("stack", tmp_path / "out", **asked))
+        assert not (tmp_path / "out").exists()
+        return str(caught.value)
+
+    assert "minutes: nan" in refused(minutes=math.nan) and "minutes: inf" in refused(minutes=math.inf)
+    assert "episodes: 0 is not 1 or more" in refused(episodes=0)
+    assert "demonstrations: 0 is not 1 or more" in refused(demonstrations=0)
+    assert "0 to 1 of the episodes, not in 2" in refused(mishaps=2.0)
+
+
+def test_a_folder_may_be_renamed_and_its_command_is_the_one_that_was_typed(tmp_path: Path) -> None:
+    asked = RunConfig("stack", tmp_path / "a run", 5, demonstrations=8, episodes=4, corrections=False)
+    Journal(asked)
+    words = shlex.split(_command(Journal(asked).value["config"]))
+    assert words[:6] == ["optimus", "run", "stack", "--minutes", "5", "--out"] and words[6] == "a run"
+    assert {"--no-corrections", "--demonstrations", "--episodes"} <= set(words)
+    (tmp_path / "a run").rename(tmp_path / "other")
+    assert Journal(replace(asked, out=tmp_path / "other")).value["config"]["out"] == "other"

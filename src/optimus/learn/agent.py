@@ -47,7 +47,7 @@ class PolicyAgent:
         compiled: bool = False,
         device: str = "cpu",
     ) -> None:
-        if component not in (known := (*get_args(Component), CONTINUOUS)):
+        if component not in (known := get_args(Component)):
             raise UnknownNameError("component", component, known)
         self._device = torch.device(device)
         self.policy = (policy if isinstance(policy, Policy) else checkpoint.load(policy, task)).to(self._device)

@@ -66,7 +66,7 @@ def weights_of(run: Path) -> str:
     tensors, digest = read_tensors(run / MODEL_FILE), hashlib.sha256()
     for name in sorted(tensors):  # not the file's bytes: safetensors writes its header in any order
         digest.update(name.encode())
-        digest.update(tensors[name].reshape(-1).view(torch.uint8).numpy())
+        digest.update(tensors[name].reshape(-1).view(torch.uint8).numpy().tobytes())
     return digest.hexdigest()[:12]
 
 
