@@ -24,12 +24,13 @@ def report(runs: Runs, out: Path = Path("report.html"), json: Json = False) -> N
     Args:
         out: the page to write
     """
+    from optimus.pretrained import run_folder
     from optimus.report import write_comparison, write_report
     from optimus.summary import summary_of
 
     if not runs:
         raise OptimusError("name at least one RUN, a folder of `optimus run` or `optimus train`")
-    found = {str(run): summary_of(run) for run in runs}
+    found = {str(run): summary_of(run_folder(run)) for run in runs}
     if len(found) == 1:
         write_report(next(iter(found.values())), out)
     else:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from optimus.errors import UnknownNameError
+from optimus.errors import UnknownNameError, require_at_least
 from optimus.learn.presets import preset
 from optimus.learn.recipe import Device, TrainConfig, recipe
 
@@ -57,6 +57,16 @@ class Budget:
     horizon: int | None = None
     """Most steps of a policy's trial, where that is fewer than the task's own."""
     device: Device = "auto"
+
+    def __post_init__(self) -> None:
+        require_at_least(1, seeds=self.seeds)
+
+    @property
+    def options(self) -> str:
+        """Of the command line, where they are not those of the budget of this name."""
+        usual = BUDGETS.get(self.name, self)
+        seeds = f" --seeds {self.seeds}" if self.seeds != usual.seeds else ""
+        return seeds + (f" --device {self.device}" if self.device != usual.device else "")
 
     @property
     def how_long(self) -> tuple[Literal["steps", "epochs", "minutes"], float]:

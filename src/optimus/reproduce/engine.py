@@ -136,7 +136,7 @@ def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
     found = {
         "table": table.name,
         "title": table.title,
-        "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed} --out DIR",
+        "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed}{site.budget.options} --out DIR",
         **record,
         "hours": site.hours,
         "complete": len(results) == len(table.cells),

@@ -79,7 +79,8 @@ class Data:
         said += f" --stall {self.stall}" if self.stall != Data("").stall else ""
         said += f" --gripper {self.gripper}" if self.gripper != "binary" else ""
         n = site.budget.demonstrations
-        return [f"optimus collect {self.task} --episodes {n} --seed {site.seed}{said} --out data/{self.name}"]
+        collected = f"optimus collect {self.task} --episodes {n} --seed {site.seed}{said} --out data/{self.name}"
+        return [collected, *([f"optimus curate data/{self.name} --seed {site.seed}"] if site.seed else [])]
 
 
 @dataclass(frozen=True)
