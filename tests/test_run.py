@@ -57,7 +57,7 @@ def test_from_the_task_to_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def with_another_arm(tmp_path_factory: pytest.TempPathFactory) -> RunConfig:
     """A run with the UR5e under joint control: two training steps, no corrections but their empty dataset, no films."""
     out = tmp_path_factory.mktemp("arm") / "out"
-    config = RunConfig("stack", out, 0.1, demonstrations=3, episodes=1, workers=1, control="joint", robot=robot("ur5e"))
+    config = RunConfig("stack", out, 0.1, demonstrations=3, episodes=1, workers=1, control="joint", robot=robot("ur5e"), corrections=True)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("optimus.run.TrainConfig", lambda minutes, seed, rate: TrainConfig(steps=2, seed=seed, rate=rate))
         patch.setattr("optimus.run.CORRECTION_SHARE", 0.0)
@@ -148,10 +148,10 @@ def test_what_makes_no_sense_is_refused_before_anything_is_written(tmp_path: Pat
 
 
 def test_a_folder_may_be_renamed_and_its_command_is_the_one_that_was_typed(tmp_path: Path) -> None:
-    asked = RunConfig("stack", tmp_path / "a run", 5, demonstrations=8, episodes=4, corrections=False)
+    asked = RunConfig("stack", tmp_path / "a run", 5, demonstrations=8, episodes=4, corrections=True)
     Journal(asked)
     words = shlex.split(_command(Journal(asked).value["config"]))
     assert words[:6] == ["optimus", "run", "stack", "--minutes", "5", "--out"] and words[6] == "a run"
-    assert {"--no-corrections", "--demonstrations", "--episodes"} <= set(words)
+    assert {"--corrections", "--demonstrations", "--episodes"} <= set(words)
     (tmp_path / "a run").rename(tmp_path / "other")
     assert Journal(replace(asked, out=tmp_path / "other")).value["config"]["out"] == "other"

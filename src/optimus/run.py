@@ -2,9 +2,9 @@
 
     OUT/run.json      the resolved configuration, versions, what each stage took
     OUT/data/         the dataset
-    OUT/first/        a first policy, trained on the demonstrations alone
-    OUT/corrections/  episodes in which it acted and the expert answered
-    OUT/policy/       the policy, trained on both, and its metrics
+    OUT/first/        with corrections: a first policy, trained on the demonstrations alone
+    OUT/corrections/  with corrections: episodes in which it acted and the expert answered
+    OUT/policy/       the policy and its metrics
     OUT/films/        short films of successes and failures
     OUT/report.html   what to look at
 """
@@ -71,8 +71,9 @@ class RunConfig:
     episodes: int = 50
     seed: int = 0
     workers: int = 0
-    corrections: bool = True
-    """Train a first policy, let it act and the expert answer, and train on those answers too."""
+    corrections: bool = False
+    """Train a first policy, let it act and the expert answer, and train on those answers too. The same time spent on training
+    with demonstrations alone is worth as much or more (docs/results/first-policies.md)."""
     control: str = OSC
     """How actions move the arm; a name of `optimus.control`."""
     robot: Robot | None = None

@@ -120,7 +120,7 @@ def _command(asked: dict[str, Any]) -> str:
     words = f"optimus run {task} --minutes {asked['minutes']:g} --out {out} --seed {asked['seed']}"
     usual = {"demonstrations": None, "episodes": EPISODES, "mishaps": 0.0, "control": OSC, "robot": TASKS_OWN}
     words += "".join(f" --{key} {asked[key]}" for key, value in usual.items() if asked.get(key, value) != value)
-    return words + ("" if asked.get("corrections", True) else " --no-corrections")
+    return words + (" --corrections" if asked.get("corrections", True) else "")
 
 
 def _expert(store: EpisodeStore, plan_seconds: list[float]) -> ExpertStats:

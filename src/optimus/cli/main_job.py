@@ -16,7 +16,7 @@ def run(
     episodes: int = 50,
     seed: int = 0,
     workers: Workers = 0,
-    corrections: bool = True,
+    corrections: bool = False,
     mishaps: float = 0.0,
     control: ControlName = "osc",
     robot: RobotName = None,
@@ -37,7 +37,7 @@ def run(
         episodes: evaluation episodes
         seed: of the first demonstration (the next ones follow), of the training and of the evaluation
         mishaps: share of the demonstrations in which a thing is pushed, slips or is missed by a grasp, as `optimus collect` has it
-        corrections: spend half of the training on a first policy, and then learn from the expert's answers to its mistakes
+        corrections: spend half of the training on a first policy, and then learn from the expert's answers to its mistakes too
     """
     from optimus.run import RunConfig
     from optimus.run import run as run_all
