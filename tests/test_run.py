@@ -57,7 +57,8 @@ def test_from_the_task_to_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def with_another_arm(tmp_path_factory: pytest.TempPathFactory) -> RunConfig:
     """A run with the UR5e under joint control: two training steps, no corrections but their empty dataset, no films."""
     out = tmp_path_factory.mktemp("arm") / "out"
-    config = RunConfig("stack", out, 0.1, demonstrations=3, episodes=1, workers=1, control="joint", robot=robot("ur5e"), corrections=True)
+    few = {"demonstrations": 3, "episodes": 1, "workers": 1}
+    config = RunConfig("stack", out, 0.1, **few, corrections=True, control="joint", robot=robot("ur5e"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("optimus.run.TrainConfig", lambda minutes, seed, rate: TrainConfig(steps=2, seed=seed, rate=rate))
         patch.setattr("optimus.run.CORRECTION_SHARE", 0.0)
