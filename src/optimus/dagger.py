@@ -24,7 +24,7 @@ from optimus.collect import CollectConfig, collect
 from optimus.correct import Turns
 from optimus.data.atomic import write_json
 from optimus.data.curate import load_curation
-from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX
+from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, TASKS_OWN
 from optimus.data.episode_file import OBSERVATION_PREFIX
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
@@ -34,6 +34,7 @@ from optimus.learn.begun import train_described
 from optimus.learn.board import BoardName
 from optimus.learn.policy import PolicyConfig
 from optimus.learn.train import Progress, TrainConfig, train
+from optimus.robots.catalogue import known_robots
 
 SEEDS_FROM = 100_000_000
 """Seeds of the episodes added start here, far from those of demonstrations, corrections and evaluations."""
@@ -110,14 +111,19 @@ class _Rounds:
         lessons = {"policy": asdict(network), "train": asdict(lesson)}
         asked = {"dataset": dataset.name, "task": self.store.task, **lessons, **asdict(config)}
         del asked["rounds"], asked["workers"]  # more rounds may be asked for later, and the outcome depends on no workers
-        self._require_usual_images()
+        self._require_usual()
         self.file = run / f"{config.name}.json"
         self.report: dict[str, Any] = {"config": json.loads(json.dumps(asked)), "rounds": []}
         if self.file.exists():
             self._go_on()
 
-    def _require_usual_images(self) -> None:
-        """`DatasetError` for images of another size than those of the episodes that rounds add."""
+    def _require_usual(self) -> None:
+        """`DatasetError` for a robot that only a file describes, or images of another size than those of what rounds add."""
+        if self.store.robot not in (TASKS_OWN, *known_robots()):
+            raise DatasetError(
+                f"{self.dataset} was collected with robot {self.store.robot!r}, of whom rounds know the name alone; "
+                "train without --dagger, and add what `optimus collect --policy RUN --robot FILE` gathers by --corrections"
+            )
         for header in self.store.headers()[:1]:
             for camera in self.store.cameras:
                 size = header.arrays[f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}"].shape[1:3]

@@ -228,16 +228,20 @@ def _training(bar: Any) -> Callable[[Progress], None]:
 
 
 def _curate_if_needed(dataset: Path) -> None:
-    """Curate, unless it has been done and every episode was there then."""
-    from optimus.data.curate import CurationConfig, curate, load_curation
+    """Curate, unless it has been done and every episode was there then; `DatasetError` if what was done is damaged: the rules that
+    were asked for are lost then, and others hold other episodes out."""
+    from optimus.data.curate import CURATION_FILE, CurationConfig, curate, load_curation
     from optimus.data.store import EpisodeStore
-    from optimus.errors import DatasetError
 
     store = EpisodeStore.open(dataset)
-    try:
-        known = load_curation(dataset)
-        if set(known.kept) | set(known.dropped) == set(store.seeds):
-            return
-        curate(dataset, CurationConfig(**known.config))  # by the rules that were asked for
-    except (DatasetError, TypeError):  # none yet, or rules of another program's
+    if not (dataset / CURATION_FILE).exists():
         curate(dataset)
+        return
+    known = load_curation(dataset)
+    if set(known.kept) | set(known.dropped) == set(store.seeds):
+        return
+    try:
+        asked = CurationConfig(**known.config)
+    except TypeError:  # rules of another program's
+        asked = CurationConfig()
+    curate(dataset, asked)
