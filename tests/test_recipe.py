@@ -19,7 +19,7 @@ from safetensors.numpy import load_file
 from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
 
 from optimus.cli import main
-from optimus.dagger import DaggerConfig
+from optimus.dagger import DaggerConfig, dagger
 from optimus.data.curate import curate, load_curation
 from optimus.data.lock import locked
 from optimus.data.store import EpisodeStore
@@ -266,3 +266,22 @@ def test_weights_to_begin_with_bring_their_own_network(dataset: Path, tmp_path: 
     with pytest.raises(SystemExit):
         main()
     assert "brings a network of its own" in said.getvalue() and not (tmp_path / "more").exists()
+
+
+def test_a_damaged_curation_is_not_replaced(dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By other rules, other episodes would be held out."""
+    data = tmp_path / "data"
+    shutil.copytree(dataset, data)
+    (data / "curation.json").write_text("{")
+    monkeypatch.setattr(sys, "argv", ["optimus", "train", str(data), "--out", str(tmp_path / "run"), "--steps", "1"])
+    monkeypatch.setattr(sys, "stderr", said := io.StringIO())
+    with pytest.raises(SystemExit):
+        main()
+    assert "is damaged" in said.getvalue() and (data / "curation.json").read_text() == "{"
+
+
+def test_rounds_need_a_robot_of_a_known_name(tmp_path: Path) -> None:
+    data = other_dataset(tmp_path / "data", config={"position_scale": 1.0, "robot": "mine"}).resolve()
+    with pytest.raises(DatasetError, match="robot 'mine', of whom rounds know the name alone"):
+        dagger(data, tmp_path / "run", QUICK, DaggerConfig(1))
+    assert not (tmp_path / "run").exists()
