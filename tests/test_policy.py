@@ -29,7 +29,7 @@ from optimus.learn.heads import Mixture, MixtureConfig, MixtureHead
 from optimus.learn.onnx_runtime import is_installed
 from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
 from optimus.learn.train import fresh_policy
-from optimus.learn.trunk import LSTMConfig, MLPConfig, Transformer, TransformerConfig, TrunkConfig, dropout
+from optimus.learn.trunk import LSTMConfig, Transformer, TransformerConfig, TrunkConfig, dropout
 from synthetic import CAMERAS, make_dataset, make_episode
 
 torch.set_num_threads(1)  # tests run in several processes
@@ -220,7 +220,7 @@ def test_the_agent_answers_as_the_policy_does_on_whole_windows(policy: Policy) -
 
 
 @pytest.mark.skipif(not is_installed(), reason="no ONNX Runtime: pip install 'optimus-tamp[onnx]'")
-@pytest.mark.parametrize("trunk", [TransformerConfig(layers=1), LSTMConfig(), MLPConfig()], ids=lambda trunk: trunk.kind)
+@pytest.mark.parametrize("trunk", [TransformerConfig(layers=1), LSTMConfig()], ids=lambda trunk: trunk.kind)
 def test_a_compiled_agent_answers_as_the_policy_does_on_whole_windows(trunk: TrunkConfig) -> None:
     policy = fresh_policy(PolicyConfig(trunk=trunk), PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1), seed=0).eval()
     _check_answers(PolicyAgent(policy, "likeliest", compiled=True))
