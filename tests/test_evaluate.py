@@ -164,7 +164,7 @@ def test_a_policy_of_two_tasks_that_is_told_the_state_plays_both(tmp_path: Path)
     """Things and doors that one of them does not have are at the origin and shut, as in training."""
     tasks = ("pick-place", "microwave")
     for name in tasks:
-        collect(CollectConfig(name, tmp_path / name, 3, workers=1, images=False))
+        collect(CollectConfig(name, tmp_path / name, 2, workers=1, images=False))
         curate(tmp_path / name)
     told, run = preset("quick-mlp", observe="state").policy, tmp_path / "run"
     train([tmp_path / name for name in tasks], run, TrainConfig(steps=1), told)
