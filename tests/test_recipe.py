@@ -248,12 +248,15 @@ def test_a_run_has_a_folder_of_its_own_and_its_data_once(dataset: Path, tmp_path
         train((dataset, dataset), tmp_path / "run", QUICK, SMALL)
     run = tmp_path / "run"
 
+    asked: list[int] = []
+
     def another(progress: Progress) -> None:
+        asked.append(progress.step)
         with pytest.raises(StorageError, match="another process is at work"), locked(run):
             pass
 
     train(dataset, run, replace(QUICK, steps=1), SMALL, another)
-    assert not (run / ".lock").exists()
+    assert asked == [1] and not (run / ".lock").exists()
     with locked(run):
         pass
 

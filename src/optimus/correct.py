@@ -46,7 +46,9 @@ class Turns:
 
 def _changed(run: Path) -> int:
     """When the weights of a run were written: what is known of older ones does not hold for them."""
-    file = run / "model.safetensors"
+    from optimus.learn.checkpoint import MODEL_FILE
+
+    file = run / MODEL_FILE
     return file.stat().st_mtime_ns if file.exists() else 0
 
 

@@ -124,7 +124,7 @@ class _Rounds:
                 f"{self.dataset} was collected with robot {self.store.robot!r}, of whom rounds know the name alone; "
                 "train without --dagger, and add what `optimus collect --policy RUN --robot FILE` gathers by --corrections"
             )
-        for header in self.store.headers()[:1]:
+        for header in map(self.store.header, self.store.seeds[:1]):
             for camera in self.store.cameras:
                 size = header.arrays[f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}"].shape[1:3]
                 if size != (IMAGE_SIZE, IMAGE_SIZE):

@@ -31,12 +31,13 @@ from optimus.evaluate import EvalReport, evaluate, validation_starts
 from optimus.filming import film_outcomes
 from optimus.learn.card import write_card
 from optimus.learn.checkpoint import weights_of
+from optimus.learn.recipe import LEAST
 from optimus.learn.schedule import RateConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.report import write_report
 from optimus.robots import Robot
 from optimus.rollout import Perturbation
-from optimus.summary import RunRecord, films_in, summarise
+from optimus.summary import EPISODES, RunRecord, films_in, summarise
 from optimus.tasks import task as task_named
 
 DEMONSTRATIONS_PER_MINUTE = 18
@@ -49,7 +50,6 @@ FIRST_SHARE = 0.55
 EVALUATION_MINUTES = 2.0
 """Kept back for evaluation, films and report."""
 
-LEAST_MINUTES = 0.001
 LEAST_TRAINING = 0.5
 """Minutes of training, however few are left."""
 
@@ -68,7 +68,7 @@ class RunConfig:
     out: Path
     minutes: float = 20.0
     demonstrations: int | None = None
-    episodes: int = 50
+    episodes: int = EPISODES
     seed: int = 0
     workers: int = 0
     corrections: bool = False
@@ -82,7 +82,7 @@ class RunConfig:
     """Share of the demonstrations in which something happens that the expert makes good; see `ExpertConfig`."""
 
     def __post_init__(self) -> None:
-        require_at_least(LEAST_MINUTES, minutes=self.minutes)
+        require_at_least(LEAST, minutes=self.minutes)
         require_finite(minutes=self.minutes)
         require_at_least(1, episodes=self.episodes, demonstrations=self.demonstrations)
         require_at_least(0, seed=self.seed, workers=self.workers)

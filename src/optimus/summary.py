@@ -100,10 +100,10 @@ def _record(folder: Path) -> RunRecord:
 
 def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
     """The films of an evaluation that lie in `folder`, as `film_outcomes` named them."""
-    films = []
+    films, outcomes = [], dict(enumerate(evaluation["outcomes"]))
     for video in sorted(folder.glob("*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
         kind, index, seed = video.stem.rsplit("-", 2)
-        outcome = dict(enumerate(evaluation["outcomes"])).get(int(index)) if index.isdecimal() else None
+        outcome = outcomes.get(int(index)) if index.isdecimal() else None
         if outcome is None or str(outcome["seed"]) != seed or outcome["success"] != (kind == "success"):
             continue  # of another evaluation
         films.append(FilmedEpisode(caption_of(outcome), video, video.with_suffix(".png"), kind == "success", outcome["cause"]))

@@ -10,6 +10,7 @@ import hashlib
 import json
 import struct
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -61,7 +62,7 @@ class EpisodeHeader:
         """The number of actions."""
         return self.arrays["actions"].shape[0]
 
-    @property
+    @cached_property
     def start(self) -> str:
         """Which initial state this is (see `start_digest`)."""
         return start_digest(self.read("initial_state"))

@@ -7,12 +7,15 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from optimus.conditions import USUAL, Conditions
 from optimus.data.atomic import write_json, write_whole
 from optimus.statistics import wilson
 from optimus.words import slug
+
+if TYPE_CHECKING:
+    from optimus.learn.heads import Component
 
 UNFINISHED = ".unfinished"
 """Ending of the file that an evaluation keeps beside its report to be, see `evaluate.unfinished`."""
@@ -47,7 +50,7 @@ class EvalReport:
     states: str
     outcomes: tuple[Outcome, ...]
     conditions: Conditions = USUAL
-    component: str = "sampled"
+    component: Component = "sampled"
     seed: int = 0
     """Of the policy's draws, and of random states."""
     weights: str = ""

@@ -84,9 +84,9 @@ class _Witness:
         return what + (", standing still" if self.moved < 0.001 else "")
 
 
-def _evaluate_one(run: Path, start: Start, seed: int, asked: EvalReport, component: Component, robot: Robot | None) -> Outcome:
-    how = {"robot": robot, "conditions": asked.conditions, "compiled": asked.compiled, "weights": asked.weights}
-    episode, cause = play(run, start, seed, component, **how)
+def _evaluate_one(run: Path, start: Start, seed: int, asked: EvalReport, robot: Robot | None) -> Outcome:
+    how = (asked.conditions, asked.compiled, asked.weights)
+    episode, cause = play(run, start, seed, asked.component, lambda env: None, robot, *how)
     if start.state is None and start_digest(episode.initial_state) in _learned(run, asked.weights):
         raise CheckpointError(f"{run} has learned from the initial state of seed {start.seed}; evaluate with another --seed")
     return Outcome(
@@ -161,7 +161,7 @@ def evaluate(
     unfinished = Unfinished(run, asked, starts) if keep else None
     outcomes = dict(unfinished.outcomes) if unfinished else {}
     left = [i for i in range(len(starts)) if i not in outcomes]
-    jobs = [partial(_evaluate_one, run, starts[i], seed + i, asked, component, robot) for i in left]
+    jobs = [partial(_evaluate_one, run, starts[i], seed + i, asked, robot) for i in left]
     for job, outcome in finished(jobs, workers):
         outcomes[left[job]] = outcome
         if unfinished:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import write_whole
+from optimus.data.episode_file import start_digest
 from optimus.evaluate.outcome import UNFINISHED, EvalReport, Outcome
 from optimus.evaluate.start import Start
 
@@ -22,7 +23,8 @@ class Unfinished:
     def __init__(self, run: Path, asked: EvalReport, starts: Sequence[Start]) -> None:
         self.file = (run / asked.file_name).with_suffix(UNFINISHED)
         self.outcomes: dict[int, Outcome] = {}
-        question = {**asked.question, "starts": [[s.seed, s.task, s.objects] for s in starts]}
+        digests = ["" if s.state is None else start_digest(s.state) for s in starts]
+        question = {**asked.question, "starts": [[s.seed, s.task, s.objects, d] for s, d in zip(starts, digests, strict=True)]}
         self._first_line = json.dumps(question)
         if not self._resume(len(starts)):
             write_whole(self.file, (self._first_line + "\n").encode())

@@ -19,7 +19,7 @@ from optimus.learn import checkpoint
 from optimus.learn.encoder.prepack import prepacked
 from optimus.learn.heads import Component
 from optimus.learn.onnx_runtime import by_onnx_runtime
-from optimus.learn.policy import Policy, PolicyInputs
+from optimus.learn.policy import Policy
 from optimus.learn.recording import Recording
 
 OF_THINGS = (OBJECT_POSITIONS, OBJECT_TURNS, DOOR_ANGLES)
@@ -53,6 +53,7 @@ class PolicyAgent:
         self.policy = (policy if isinstance(policy, Policy) else checkpoint.load(policy, task)).to(self._device)
         self.policy.eval()
         self.component: Component = component
+        self._several = len(checkpoint.tasks_of(self.policy.inputs.task)) > 1
         self._look, self._think = self.policy.token, self.policy.features
         if self._device.type == "cuda":
             self._look, self._think = _recorded(self.policy, self._device)
@@ -91,7 +92,8 @@ class PolicyAgent:
     def _tensors(self, observation: Observation) -> tuple[dict[str, Tensor], dict[str, Tensor]]:
         """Images and proprioception of one frame, as the policy takes them."""
         inputs, crop = self.policy.inputs, self.policy.config.crop
-        observation = {**_absent(inputs, observation), **observation}
+        if self._several:  # in a scene that has no doors they are shut, as in training
+            observation = {DOOR_ANGLES: np.zeros(0, np.float32), **observation}
         needed = [camera + IMAGE_SUFFIX for camera in inputs.cameras] + list(inputs.proprioception)
         missing = [name for name in needed if name not in observation]
         if missing:
@@ -100,8 +102,22 @@ class PolicyAgent:
                 "use the environment it was trained in"
             )
         images = {c: _centre(np.asarray(observation[c + IMAGE_SUFFIX]), inputs.frame, crop) for c in inputs.cameras}
-        low = {name: _told(name, np.asarray(observation[name], np.float32), inputs) for name in inputs.proprioception}
+        low = {name: self._told(name, np.asarray(observation[name], np.float32)) for name in inputs.proprioception}
         return {c: x.to(self._device) for c, x in images.items()}, {name: x.to(self._device) for name, x in low.items()}
+
+    def _told(self, name: str, value: NDArray[np.float32]) -> Tensor:
+        """One low-dimensional observation `(1, n)`; to a policy of several tasks with zeros for things that a scene lacks."""
+        size = self.policy.inputs.proprioception[name]
+        if self._several and name in OF_THINGS and value.ndim == 1:
+            value = np.pad(value, (0, max(0, size - len(value))))
+        if value.shape != (size,):
+            raise CheckpointError(
+                f"the policy needs {name} of shape ({size},), the observation has {value.shape}; "
+                "use the environment it was trained in"
+            )
+        if not np.isfinite(value).all():
+            raise CheckpointError(f"the observation's {name} holds NaN or infinity")
+        return torch.from_numpy(value)[None]
 
 
 def trained_agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:
@@ -141,26 +157,6 @@ def _with_prepacked_encoders(policy: Policy) -> Policy:
         image = torch.zeros(1, 3, side, side).to(memory_format=torch.channels_last)
         encoder.trunk = prepacked(encoder.get_submodule("trunk"), image)
     return acting
-
-
-def _absent(inputs: PolicyInputs, observation: Observation) -> Observation:
-    """What a policy of several tasks is told, as in its training, of doors in a scene that has none: they are shut."""
-    several = len(checkpoint.tasks_of(inputs.task)) > 1
-    return {DOOR_ANGLES: np.zeros(0, np.float32)} if several and DOOR_ANGLES not in observation else {}
-
-
-def _told(name: str, value: NDArray[np.float32], inputs: PolicyInputs) -> Tensor:
-    """One low-dimensional observation `(1, n)`, to a policy of several tasks with zeros for things that a scene does not have."""
-    size = inputs.proprioception[name]
-    if len(checkpoint.tasks_of(inputs.task)) > 1 and name in OF_THINGS and value.ndim == 1:
-        value = np.pad(value, (0, max(0, size - len(value))))
-    if value.shape != (size,):
-        raise CheckpointError(
-            f"the policy needs {name} of shape ({size},), the observation has {value.shape}; use the environment it was trained in"
-        )
-    if not np.isfinite(value).all():
-        raise CheckpointError(f"the observation's {name} holds NaN or infinity")
-    return torch.from_numpy(value)[None]
 
 
 def _centre(image: NDArray[np.uint8], frame: tuple[int, int] | None, side: int) -> Tensor:
