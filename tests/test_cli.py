@@ -8,7 +8,6 @@ import pytest
 from PIL import Image
 from safetensors.numpy import load_file
 
-from optimus.collect import CollectConfig, collect
 from optimus.control import CONTROLS
 from optimus.tasks import TASKS
 from program import optimus, refused, result_of
@@ -152,13 +151,12 @@ def test_show_writes_pictures(tmp_path: Path) -> None:
             assert picture.size[0] > 1000
 
 
-def test_the_stages_one_by_one(tmp_path: Path) -> None:
-    data, run = tmp_path / "data", tmp_path / "run"
-    collect(CollectConfig("stack", data, 4, workers=1))
+def test_the_stages_one_by_one(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    data, run = taught[0], tmp_path / "run"
     assert result_of("curate", str(data))["train"] >= 2
     result_of("train", str(data), "--out", str(run), "--steps", "3")
     films = tmp_path / "films"
-    args = ("evaluate", str(run), "--dataset", str(data), "--episodes", "2", "--workers", "2", "--horizon", "30")
+    args = ("evaluate", str(run), "--dataset", str(data), "--episodes", "2", "--workers", "1", "--horizon", "30")
     found = result_of(*args, "--videos", str(films))
     assert found["episodes"] == 2 and len(found["interval"]) == 2
     assert len(list(films.glob("*.mp4"))) == 2

@@ -12,6 +12,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 from optimus.collect import CollectConfig, collect
+from optimus.conditions import Conditions
 from optimus.control import CONTROLS, JOINT_SCALE, controller
 from optimus.control.joint import MAX_LEAD, JointTarget
 from optimus.control.osc import OperationalSpace
@@ -234,7 +235,7 @@ def test_a_joint_dataset_is_read_learned_from_and_acted_on(joint_taught: tuple[P
     seen, _ = make("joint", images=True).reset(seed=5)
     answer = PolicyAgent(policy).act(seen)
     assert answer.shape == (8,) and answer[-1] in (-1.0, 1.0)
-    episode, _ = play(run, random_starts(1)[0], seed=0)
+    episode, _ = play(run, random_starts(1)[0], seed=0, conditions=Conditions(horizon=20))
     assert episode.info["control"] == "joint" and episode.executed.shape[1] == 8
 
 

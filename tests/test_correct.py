@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -23,9 +24,12 @@ from optimus.rollout import LAST_LOOK
 from optimus.skills import Workspace
 from optimus.tasks import task
 
+SHORT = replace(task("stack"), horizon=100)
+"""A policy that has learned nothing is not watched for long."""
+
 
 def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> None:
-    env, config = ManipulationEnv(task("stack")), ExpertConfig()
+    env, config = ManipulationEnv(SHORT), ExpertConfig()
     always = partial(Corrections, Turns(taught[1], policy_steps=1e9, expert_steps=1.0))
     first = demonstrate(env, 3, config, always).episode
     again = demonstrate(env, 3, config, always).episode
@@ -45,7 +49,7 @@ def test_a_policy_is_corrected_with_the_gripper_that_it_was_taught(taught: tuple
     (run / "config.json").write_text(json.dumps(config))
     with pytest.raises(CheckpointError, match="gripper 'continuous', not 'binary'"):
         collect(CollectConfig("stack", tmp_path / "data", 1, turns=Turns(run)))
-    env = ManipulationEnv(task("stack"), gripper="continuous")
+    env = ManipulationEnv(SHORT, gripper="continuous")
     always = partial(Corrections, Turns(run, policy_steps=1e9, expert_steps=1.0))
     episode = demonstrate(env, 3, ExpertConfig(law=TimeLaw(gripper="continuous")), always).episode
     assert episode is not None

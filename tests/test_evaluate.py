@@ -28,8 +28,9 @@ from optimus.learn import checkpoint
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.presets import preset
 from optimus.learn.train import TrainConfig, train
-from optimus.rerender import RenderConfig, rerender
+from optimus.rerender import RenderConfig, rerender, with_images
 from optimus.rollout import rollout
+from optimus.scene import Camera
 from optimus.statistics import wilson
 from optimus.tasks import task
 
@@ -175,16 +176,26 @@ def test_a_policy_of_two_tasks_that_is_told_the_state_plays_both(tmp_path: Path)
         require_same_problems(run, tmp_path / "microwave", "pick-place")
 
 
-def test_a_policy_plays_on_frames_of_the_size_that_it_was_trained_on(taught: tuple[Path, Path], tmp_path: Path) -> None:
+def test_a_policy_sees_by_the_cameras_and_in_the_size_that_it_was_trained_on(taught: tuple[Path, Path], tmp_path: Path) -> None:
     large, run = tmp_path / "large", tmp_path / "run"
-    rerender(taught[0], large, RenderConfig(size=96), workers=1)
+    aside = Camera("aside", (1.2, 0.6, 0.5), (0.5, 0.0, 0.05), 50.0)
+    asked = RenderConfig(("robot0_eye_in_hand",), (aside,), size=96)
+    rerender(taught[0], large, asked, workers=1)
     train(large, run, TrainConfig(steps=1))
-    assert checkpoint.load(run).inputs.frame == (96, 96)
+    inputs = checkpoint.load(run).inputs
+    assert inputs.frame == (96, 96) and inputs.cameras == ("robot0_eye_in_hand", "aside")
     episode, _ = play(run, random_starts(1)[0], 0, conditions=SHORT)
-    assert episode.observations["agentview_image"].shape[1:] == (96, 96, 3)
-    with pytest.raises(CheckpointError, match=r"shape \(96, 96, 3\)"):
+    assert episode.cameras == inputs.cameras and episode.observations["aside_image"].shape[1:] == (96, 96, 3)
+    # what it saw is what `render` makes of the same states
+    again = with_images(episode, asked)
+    for camera in inputs.cameras:
+        np.testing.assert_array_equal(episode.observations[f"{camera}_image"], again.observations[f"{camera}_image"])
+    with pytest.raises(CheckpointError, match=r"needs aside_image"):
         PolicyAgent(run).act(ManipulationEnv(task("stack")).reset(seed=0)[0])
+    rerender(taught[0], tmp_path / "small", RenderConfig(("robot0_eye_in_hand",), size=20), workers=1)
     with pytest.raises(DatasetError, match=r"rounds add images of \(84, 84\)"):
+        dagger(tmp_path / "small", tmp_path / "rounds", TrainConfig(steps=1), DaggerConfig(1))
+    with pytest.raises(DatasetError, match="is seen by aside, as what rounds add is not"):
         dagger(large, tmp_path / "rounds", TrainConfig(steps=1), DaggerConfig(1))
     with pytest.raises(CheckpointError, match="not trained on images of 84 x 84"):
         collect(CollectConfig("stack", tmp_path / "more", 1, workers=1, turns=Turns(run)))

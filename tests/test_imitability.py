@@ -81,7 +81,7 @@ def test_habits_are_put_in_their_order(tmp_path: Path) -> None:
     }
     drift = {}
     for name, expert in kinds.items():
-        collect(CollectConfig("stack", tmp_path / name, 14, workers=1, expert=expert, images=False))
+        collect(CollectConfig("stack", tmp_path / name, 8, workers=1, expert=expert, images=False))
         drift[name] = imitability(tmp_path / name).drift
     assert drift["default"] < drift["stall"] < drift["sampled"]
     assert drift["default"] < drift["random"] < drift["sampled"]

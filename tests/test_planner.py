@@ -2,6 +2,7 @@
 
 import time
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -30,7 +31,10 @@ from optimus.validate import validate
 WOOD = (0.5, 0.4, 0.3, 1.0)
 
 
-def plan_for(env: ManipulationEnv, seed: int) -> Plan:
+@cache
+def plan_for(name: str, seed: int) -> Plan:
+    """Found once for all tests."""
+    env = ManipulationEnv(task(name), images=False)
     env.reset(seed=seed)
     plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(seed))
     assert isinstance(plan, Plan), plan
@@ -45,8 +49,8 @@ SEEDS = [(name, seed) for name in SOLVED for seed in range(300, 320 if name in (
 @pytest.mark.parametrize(("name", "seed"), SEEDS)
 def test_physics_confirms_every_declared_effect(name: str, seed: int) -> None:
     """The key test: it ties the symbols to the world."""
-    env = ManipulationEnv(task(name), images=False)
-    plan = plan_for(env, seed)
+    env, plan = ManipulationEnv(task(name), images=False), plan_for(name, seed)
+    env.reset(seed=seed)
     follower = PlanFollower(plan)
     wrong: list[str] = []
     checked = 0
@@ -68,19 +72,17 @@ def test_physics_confirms_every_declared_effect(name: str, seed: int) -> None:
     assert episode.success and not wrong, wrong
 
 
-@pytest.mark.parametrize("name", SOLVED)
-def test_paths_are_continuous_within_limits_and_end_where_they_say(name: str) -> None:
-    env = ManipulationEnv(task(name), images=False)
-    for seed in range(3):
-        plan = plan_for(env, seed)
-        kinematics, q = Workspace(env.world).kinematics, plan.start.q
-        for segment in plan.segments:
-            np.testing.assert_allclose(segment.q[0], q, atol=1e-9)
-            assert np.abs(np.diff(segment.q, axis=0)).max(initial=0.0) < 0.4
-            assert all(kinematics.within_limits(row) for row in segment.q)
-            for row, pose in zip(segment.q, segment.poses, strict=True):
-                assert np.abs(error_between(pose, kinematics.fk(row))).max() < 0.01
-            q = segment.q[-1]
+@pytest.mark.parametrize(("name", "seed"), SEEDS)
+def test_paths_are_continuous_within_limits_and_end_where_they_say(name: str, seed: int) -> None:
+    plan = plan_for(name, seed)
+    kinematics, q = Workspace(ManipulationEnv(task(name), images=False).world).kinematics, plan.start.q
+    for segment in plan.segments:
+        np.testing.assert_allclose(segment.q[0], q, atol=1e-9)
+        assert np.abs(np.diff(segment.q, axis=0)).max(initial=0.0) < 0.4
+        assert all(kinematics.within_limits(row) for row in segment.q)
+        for row, pose in zip(segment.q, segment.poses, strict=True):
+            assert np.abs(error_between(pose, kinematics.fk(row))).max() < 0.01
+        q = segment.q[-1]
 
 
 def test_unstacking_emerges() -> None:

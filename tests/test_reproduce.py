@@ -23,6 +23,7 @@ from optimus.learn.presets import PRESETS
 from optimus.learn.shrink import shrink
 from optimus.reproduce import BUDGETS, TABLES, Site, budget, reproduce
 from optimus.reproduce import engine as engine_module
+from optimus.reproduce import site as site_module
 from optimus.reproduce.tables import Cell, Table, papers_figures
 from optimus.reproduce.work import Data, ExpertWork, Lesson, PolicyWork, Trial
 from optimus.reproduce.write import commands_of
@@ -142,19 +143,19 @@ def _checkout(root: Path, package: str) -> Path:
     return there
 
 
-def _commit_said_by(package: Path) -> str:
-    code = "from optimus.reproduce.site import commit; print(commit())"
-    environment = {**os.environ, "PYTHONPATH": str(package.parent), "PYTHONDONTWRITEBYTECODE": "1"}
-    return subprocess.check_output((sys.executable, "-c", code), env=environment, text=True).strip()
+def test_a_commit_is_named_only_where_the_package_runs_from_its_own_checkout(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def commit_of(package: Path) -> str | None:
+        monkeypatch.setattr(site_module, "__file__", str(package / "reproduce" / "site.py"))
+        return site_module.commit()
 
-
-def test_a_commit_is_named_only_where_the_package_runs_from_its_own_checkout(tmp_path: Path) -> None:
     own = _checkout(tmp_path / "own", "src/optimus")
     head = subprocess.check_output(("git", "-C", str(own), "rev-parse", "HEAD"), text=True)
-    assert head.startswith(_commit_said_by(own))
+    assert head.startswith(commit_of(own) or "none")
     (own / "py.typed").write_text("changed")
-    assert _commit_said_by(own).endswith("-dirty")
-    assert _commit_said_by(_checkout(tmp_path / "other", "lib/optimus")) == "None"
+    assert str(commit_of(own)).endswith("-dirty")
+    assert commit_of(_checkout(tmp_path / "other", "lib/optimus")) is None
 
 
 def test_only_the_rows_asked_for_are_filled_and_a_later_call_fills_others(

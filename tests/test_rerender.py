@@ -43,7 +43,7 @@ def test_the_collected_images_come_out_exactly(states: EpisodeStore, tmp_path: P
 
 def test_scenes_that_differ_from_seed_to_seed_come_out_exactly(tmp_path: Path) -> None:
     for images in (True, False):
-        collect(CollectConfig("microwave-receptacle", tmp_path / str(images), 1, seed=5, workers=1, images=images))
+        collect(CollectConfig("shelf-receptacle", tmp_path / str(images), 1, seed=5, workers=1, images=images))
     rerender(tmp_path / "False", tmp_path / "rendered", RenderConfig(), workers=1)
     assert files(tmp_path / "rendered") == files(tmp_path / "True")
 

@@ -22,8 +22,8 @@ from optimus.world import compile_scene
 @pytest.mark.parametrize("name", SOLVED)
 def test_valid_plans_succeed(name: str) -> None:
     env = ManipulationEnv(task(name), images=False)
-    attempts = [demonstrate(env, seed, ExpertConfig(check=True)) for seed in (11, 12)]
-    assert all(a.success for a in attempts), [(a.failure, a.info.get("violations")) for a in attempts]
+    attempt = demonstrate(env, 11, ExpertConfig(check=True))
+    assert attempt.success, (attempt.failure, attempt.info.get("violations"))
 
 
 @pytest.mark.parametrize(("name", "variant"), [("stack-adapt", "base on target"), ("microwave-adapt", "door free")])

@@ -15,12 +15,12 @@ from pathlib import Path
 from typing import Any
 
 from optimus.control import CONTROLS, require_control
-from optimus.correct import Corrections, Turns, is_told, require_same_arm
+from optimus.correct import Corrections, Turns, is_told, require_same_arm, require_usual_eyes
 from optimus.data.episode import BINARY, OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.errors import CheckpointError, DatasetError, StorageError, WorkerError, require_at_least
+from optimus.errors import DatasetError, StorageError, WorkerError, require_at_least
 from optimus.robots import Robot
 from optimus.rollout import Perturbation
 from optimus.tasks import task as task_named
@@ -165,9 +165,9 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     require_backend(config.backend)
     if config.turns is not None:
         require_same_arm(config.turns, task, control, robot, config.expert.law.gripper)
-        if not config.images and not is_told(config.turns.policy):
-            raise CheckpointError("a policy looks at images: corrections cannot be collected without them")
     cameras = compile_scene(task.problem(config.seed, config.robot).scene).image_cameras if config.images else ()
+    if config.turns is not None:
+        require_usual_eyes(config.turns, cameras)
     _require_writable(config.out)
     expert = asdict(config.expert)
     about: dict[str, Any] = {"seed": config.seed, "control": control, **CONTROLS[control].scales, "expert": expert}

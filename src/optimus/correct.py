@@ -75,6 +75,20 @@ def _is_told(run: Path, changed: int) -> bool:
     return checkpoint.load(run).inputs.told
 
 
+def require_usual_eyes(turns: Turns, cameras: tuple[str, ...]) -> None:
+    """`CheckpointError` if the policy that is to act sees otherwise than by these `cameras`, as collection does."""
+    from optimus.learn import checkpoint
+
+    inputs = checkpoint.load(turns.policy).inputs
+    if inputs.told:
+        return
+    if not cameras:
+        raise CheckpointError("a policy looks at images: corrections cannot be collected without them")
+    if inputs.frame != (IMAGE_SIZE, IMAGE_SIZE) or inputs.cameras != cameras or inputs.views:
+        usual = f"images of {IMAGE_SIZE} x {IMAGE_SIZE} by {', '.join(cameras)}"
+        raise CheckpointError(f"{turns.policy} was not trained on {usual}, as are collected; name another run")
+
+
 def require_same_arm(turns: Turns, task: Task, control: str, robot: str, gripper: str) -> None:
     """`CheckpointError` if the policy that is to act was trained for another way of control, another use of the gripper, or with
     another robot (`robot` as records have it)."""
@@ -82,11 +96,7 @@ def require_same_arm(turns: Turns, task: Task, control: str, robot: str, gripper
 
     if (learned := checkpoint.gripper_of(turns.policy)) != gripper:
         raise CheckpointError(f"{turns.policy} was trained with gripper {learned!r}, not {gripper!r}; name another run, or that")
-    inputs = checkpoint.load(turns.policy, control=control).inputs
-    if inputs.cameras and inputs.frame != (IMAGE_SIZE, IMAGE_SIZE):
-        usual = f"{IMAGE_SIZE} x {IMAGE_SIZE}"
-        raise CheckpointError(f"{turns.policy} was not trained on images of {usual}, as are collected; name another run")
-    trained_with = inputs.robot
+    trained_with = checkpoint.load(turns.policy, control=control).inputs.robot
     if trained_with != robot:
         have, wanted = task.robot_text(trained_with), task.robot_text(robot)
         raise CheckpointError(f"{turns.policy} was trained with robot {have}, not {wanted}; name another run, or that robot")

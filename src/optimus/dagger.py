@@ -124,6 +124,9 @@ class _Rounds:
                 f"{self.dataset} was collected with robot {self.store.robot!r}, of whom rounds know the name alone; "
                 "train without --dagger, and add what `optimus collect --policy RUN --robot FILE` gathers by --corrections"
             )
+        if self.store.views:
+            names = ", ".join(view["name"] for view in self.store.views)
+            raise DatasetError(f"{self.dataset} is seen by {names}, as what rounds add is not; train without --dagger")
         for header in map(self.store.header, self.store.seeds[:1]):
             for camera in self.store.cameras:
                 size = header.arrays[f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}"].shape[1:3]

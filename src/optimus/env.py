@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -31,7 +32,7 @@ from optimus.data.turns import as_columns
 from optimus.errors import ModelError, UnknownNameError, require_at_least
 from optimus.render import Rig
 from optimus.robots import Robot
-from optimus.scene import Scene
+from optimus.scene import Camera, Scene
 from optimus.se3 import Array, Pose
 from optimus.spec import PHYSICS_DT
 from optimus.state import State
@@ -72,19 +73,25 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         gripper: str = BINARY,
         worlds: Callable[[Scene], World] = compile_scene,
         image_size: int = IMAGE_SIZE,
+        cameras: Sequence[str | Camera] | None = None,
     ) -> None:
         """`robot` takes the place of the task's own; with `positions`, agents are told how the movables lie; `gripper` is
         `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one; `image_size` [pixels] is the
-        side of what the cameras see."""
+        side of what the `cameras` see: those of the scene, by name, and new ones; None: all of the scene's."""
         if gripper not in (BINARY, CONTINUOUS):
             raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
         self.gripper, self._worlds = gripper, worlds
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self.positions, self.image_size = positions, image_size
+        self._views = tuple(camera for camera in cameras or () if isinstance(camera, Camera))
+        self._seen_by = None if cameras is None else tuple(c.name if isinstance(c, Camera) else c for c in cameras)
         self.control = require_control(control)
         self.cpu: defaultdict[str, float] = defaultdict(float)
         """CPU seconds spent so far, by `physics` and `rendering`."""
         self._start(task.problem(0, robot), 0)
+        for name in self.image_cameras:
+            if name not in self.world.image_cameras:
+                raise UnknownNameError("camera", name, self.world.image_cameras)
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (self.action_size,), np.float32)
         self.observation_space = gymnasium.spaces.Dict(self._spaces())  # pyright: ignore[reportAttributeAccessIssue]
 
@@ -101,14 +108,14 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             if doors := len(self.world.door_qpos):
                 spaces[DOOR_ANGLES] = gymnasium.spaces.Box(-4.0, 4.0, (doors,), np.float32)
         if self.images:
-            for camera in self.world.image_cameras:
+            for camera in self.image_cameras:
                 shape = (self.image_size, self.image_size, 3)
                 spaces[camera + IMAGE_SUFFIX] = gymnasium.spaces.Box(0, 255, shape, np.uint8)
         return spaces
 
     def _start(self, problem: Problem, seed: int) -> None:
         self.problem, self.episode_seed = problem, seed
-        self.world: World = self._worlds(problem.scene)
+        self.world: World = self._worlds(replace(problem.scene, cameras=(*problem.scene.cameras, *self._views)))
         self.data = mujoco.MjData(self.world.model)
         self.controller = controller(self.control, self.world)
         self._steps = 0
@@ -117,6 +124,11 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def action_size(self) -> int:
         """Numbers in an action: the arm's, then the gripper's."""
         return self.controller.size + 1
+
+    @property
+    def image_cameras(self) -> tuple[str, ...]:
+        """The cameras of the observations, as these name them."""
+        return self.world.image_cameras if self._seen_by is None else self._seen_by
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -200,7 +212,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         if self.images:
             began = time.process_time()
             rig = _rig(self.world, self.image_size)
-            for camera in self.world.image_cameras:
+            for camera in self.image_cameras:
                 seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
             self.cpu["rendering"] += time.process_time() - began
         return seen

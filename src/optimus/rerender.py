@@ -22,6 +22,7 @@ from optimus.data.episode import (
     DEPTH_SUFFIX,
     IMAGE_SIZE,
     IMAGE_SUFFIX,
+    RENDERED,
     SEGMENTATION_SUFFIX,
     SEGMENTED,
     VIEWS,
@@ -38,9 +39,6 @@ from optimus.scene import Camera
 from optimus.tasks import task as task_named
 from optimus.workers import finished
 from optimus.world import World, compile_scene
-
-RENDERED = "rendered"
-"""In a dataset's settings: how its images were made, where they are not those of collection."""
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -98,6 +100,12 @@ class Camera:
     target: Vec3
     fovy: float = 45.0
 
+    @classmethod
+    def of(cls, record: Mapping[str, Any]) -> Camera:
+        """The inverse of `dataclasses.asdict`, from parsed JSON."""
+        (x, y, z), (tx, ty, tz) = record["pos"], record["target"]
+        return cls(record["name"], (x, y, z), (tx, ty, tz), record["fovy"])
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -116,6 +124,8 @@ class Scene:
         things = Counter(thing.name for thing in (*self.fixtures, *self.movables, *self.doors))
         if twice := sorted(name for name, times in things.items() if times > 1):
             raise ModelError(f"a scene's things have names of their own; of one name there is more than one: {', '.join(twice)}")
+        if twice := sorted(name for name, times in Counter(c.name for c in self.cameras).items() if times > 1):
+            raise ModelError(f"the scene has a camera {twice[0]!r} of its own; name the new view otherwise")
         for fixture in self.fixtures:
             if fixture.door is not None and fixture.door not in (doors := [door.name for door in self.doors]):
                 raise ModelError(f"{fixture.name} is behind the door {fixture.door}; the scene's are {', '.join(doors) or 'none'}")

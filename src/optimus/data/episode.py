@@ -70,6 +70,9 @@ IMAGE_SIZE = 84
 VIEWS = "views"
 """In `Episode.info`: the fixed cameras, name -> `pos` `(3,)` [m] and `quat` wxyz in the base frame (it looks along its -z, and
 its y is up), `fovy` [deg]."""
+RENDERED = "rendered"
+"""In a dataset's settings: how its images were made, where they are not those of collection; of that, its `VIEWS`: cameras of its
+own, each `name`, `pos` and `target` [m] in the base frame, `fovy` [deg]."""
 STATE_COLUMNS = "state_columns"
 """In `Episode.info`: `objects` and `doors`, name -> the column of `states` at which an object's pose begins (position [m],
 quaternion wxyz), or in which a door's angle [rad] is."""

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
-from optimus.data.episode import OSC, TASKS_OWN, Episode
+from optimus.data.episode import OSC, RENDERED, TASKS_OWN, VIEWS, Episode
 from optimus.data.episode_file import (
     VERSION,
     EpisodeHeader,
@@ -45,6 +45,7 @@ class EpisodeStore:
         self.config: dict[str, Any] = description["config"]
         self.control: str = self.config.get("control", OSC)
         self.robot: str = self.config.get("robot", TASKS_OWN)
+        self.views: tuple[dict[str, Any], ...] = tuple(self.config.get(RENDERED, {}).get(VIEWS, ()))
         self.versions: dict[str, str] = description.get("versions", {})
 
     @classmethod

@@ -107,6 +107,7 @@ class Windows:
             raise DatasetError(f"{store.path}: no episodes to take windows from; collect or curate again")
         self.config = config
         self.cameras, self.control, self.robot = store.cameras if config.images else (), store.control, store.robot
+        self.views = store.views if config.images else ()
         headers = [*(store.header(seed) for seed in seeds), *extra]
         _require_same_shapes(headers)
         objects = max(header.arrays["objects"].shape[1] for header in headers)

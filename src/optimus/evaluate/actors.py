@@ -14,6 +14,7 @@ from optimus.learn.policy import PolicyInputs
 from optimus.robots import Robot
 from optimus.robots.catalogue import known_robots
 from optimus.robots.catalogue import robot as robot_named
+from optimus.scene import Camera
 from optimus.tasks import task as task_named
 from optimus.tasks import with_objects
 
@@ -68,6 +69,7 @@ def environment(
     if height != width and not inputs.told:
         sizes = f"{height} x {width}" if inputs.frame else "several sizes"
         raise CheckpointError(f"{run} was trained on images of {sizes}, here they are square; play it where it was trained")
+    views = {view["name"]: Camera.of(view) for view in inputs.views}
     return ManipulationEnv(
         conditions.of(task_named(name)),
         images=not inputs.told,
@@ -77,6 +79,7 @@ def environment(
         gripper=checkpoint.gripper_of(run),
         worlds=conditions.world,
         image_size=height,
+        cameras=[views.get(name, name) for name in inputs.cameras],
     )
 
 

@@ -68,6 +68,8 @@ class PolicyInputs:
     """Whose arm it moves."""
     frame: tuple[int, int] | None = (IMAGE_SIZE, IMAGE_SIZE)
     """Height and width of the images [pixels], of which the middle is seen; None where cameras differ."""
+    views: tuple[dict[str, Any], ...] = ()
+    """Those of the cameras that the task's scene does not have, as `RENDERED` settings tell of them."""
 
     @property
     def told(self) -> bool:
@@ -92,13 +94,14 @@ class PolicyInputs:
         objects, actions = windows.objects.shape[1], windows.actions.shape[1]
         frames = set(windows.frame_shapes.values()) or {cls.frame}
         frame = frames.pop() if len(frames) == 1 else None
-        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot, frame)
+        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot, frame, windows.views)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
         frame = value.get("frame", cls.frame)
-        return cls(**{**value, "cameras": tuple(value["cameras"]), "frame": frame and (frame[0], frame[1])})
+        lists = {name: tuple(value.get(name, ())) for name in ("cameras", "views")}
+        return cls(**{**value, **lists, "frame": frame and (frame[0], frame[1])})
 
 
 class Policy(nn.Module):

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.data.curate import Curation, load_curation
-from optimus.data.episode import BINARY, IMPORTED
+from optimus.data.episode import BINARY, IMPORTED, VIEWS
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
@@ -144,6 +144,7 @@ def _require_same_meaning(store: EpisodeStore, first: EpisodeStore) -> None:
     """`DatasetError` if what is seen or done in one of them means something else than in the other."""
     said: list[tuple[str, Any, Any]] = [(what, getattr(store, what), getattr(first, what)) for what in ("control", "robot")]
     said.append(("cameras", ", ".join(store.cameras), ", ".join(first.cameras)))
+    said.append((VIEWS, store.views, first.views))
     said.append(("gripper", store.config.get("gripper", BINARY), first.config.get("gripper", BINARY)))
     said += [(scale, store.config.get(scale), first.config.get(scale)) for scale in SCALES]
     for what, have, wanted in said:
