@@ -238,8 +238,11 @@ def test_a_policy_live(run: Path) -> None:
         assert "Traceback" not in (served.stderr.read() if served.stderr else "")
 
 
-def test_a_policy_that_is_told_the_state_plays_without_pictures(data: Path, tmp_path: Path) -> None:
+def test_a_policy_of_two_tasks_that_is_told_the_state_plays_the_first_without_pictures(data: Path, tmp_path: Path) -> None:
     train(data, tmp_path / "told", TrainConfig(steps=2), preset("quick", observe="state").policy)
+    config = json.loads((tmp_path / "told" / "config.json").read_text())
+    config["inputs"]["task"] = checkpoint.joint_task(["stack", "stack-three"])
+    (tmp_path / "told" / "config.json").write_text(json.dumps(config))
     view = open_view(str(tmp_path / "told"), address=ANY_PORT)
     try:
         assert isinstance(view.shown, PolicyView)

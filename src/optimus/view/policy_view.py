@@ -16,7 +16,6 @@ from optimus.evaluate import RANDOM_SEEDS_FROM, environment
 from optimus.learn.agent import trained_agent
 from optimus.learn.heads import Mixture, MixtureHead
 from optimus.se3 import Array
-from optimus.tasks import task as task_named
 from optimus.view import words
 from optimus.view.pictures import blank, side_by_side
 from optimus.view.stage import Rgb, Stage
@@ -37,8 +36,8 @@ class PolicyView:
     def __init__(self, server: viser.ViserServer, run: Path, seed: int = 0, robot: Robot | None = None) -> None:
         self._server, self._agent = server, trained_agent(run)
         inputs = self._agent.policy.inputs
-        self._task = task_named(inputs.task)
         self._env = environment(run, inputs, robot)
+        self._task = self._env.task
         self._fans = Fans(self._agent.policy.modules()) if inputs.control != "joint" else None
         gui = server.gui
         self._seed = gui.add_number("seed", seed, min=0, step=1, hint="which fresh problem")
