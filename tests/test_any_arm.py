@@ -56,7 +56,8 @@ def example(folder: Path) -> Path:
 
 def test_the_guides_example_is_the_known_robot(tmp_path: Path, ur5e: Robot) -> None:
     read = read_robot(example(tmp_path))
-    assert read == ur5e  # with everything written out there and derived here
+    assert read.name == "my-arm"
+    assert replace(read, name="ur5e") == ur5e  # with everything written out there and derived here
     attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=read), 7, ExpertConfig())
     assert attempt.success, attempt.failure
 
@@ -251,6 +252,9 @@ def test_joints_that_are_not_named_stay_where_they_are(wild: Path) -> None:
         ('bodies = ["left", "right"]', 'bodies = ["left"]', r"gripper.bodies should be 2"),
         ('hand = "hand"', 'hand = "flange"', r"no body 'flange'"),
         ("home = [0.0, 0.5]", "home = [0.0]", r"home should be 2 numbers"),
+        ("home = [0.0, 0.5]", "home = [0.0, 0.5]\ntorque_limits = [nan, 1.0]", r"torque_limits should be finite"),
+        ("home = [0.0, 0.5]", "home = [0.0, 0.5]\nspeed_limits = [-1.0, 1.0]", r"speed_limits should be above 0"),
+        ("[gripper]", "camera = { pos = [0, 0, 0], target = [0, 0, 0] }\n[gripper]", r"\[camera\] stands at what it looks at"),
         ("home = [0.0, 0.5]", "home = [0.0, 1.5]", r"home is outside the range of spare"),
         ("home = [0.0, 0.5]", "", r"lacks home"),
         ('hand = "hand"', "", r"lacks hand"),
@@ -296,4 +300,32 @@ def test_the_command_line_takes_a_robot(
         main()
     assert out.stat().st_size > 10_000
     result = json.loads(capsys.readouterr().out.splitlines()[-1])
-    assert result["robot"] == "ur5e" and result["successes"] == 1
+    assert result["robot"] == "my-arm" and result["successes"] == 1
+
+
+def test_the_models_own_gears_and_limits_do_not_weaken_the_arm(tmp_path: Path) -> None:
+    """A motor's force is the joint's torque, and as much of it as the robot file says; what reads an actuator goes with it."""
+    own = shutil.copytree(fetch(), tmp_path / "own")
+    text = (own / "panda.xml").read_text()
+    for i in range(1, 8):
+        text = re.sub(rf'(<joint [^>]*name="joint{i}")', r'\1 actuatorfrcrange="-1 1"', text, count=1)
+        text = re.sub(rf'(<general [^>]*name="actuator{i}")', r'\1 gear="100"', text, count=1)
+    text = text.replace("</mujoco>", '<sensor><actuatorfrc actuator="actuator8"/></sensor></mujoco>')
+    assert text.count('gear="100"') == 7 and text.count("actuatorfrcrange") == 7
+    (own / "panda.xml").write_text(text)
+    written = panda_file(tmp_path).read_text().replace(str(fetch()), str(own)).replace('actuator = "actuator8"\n', "")
+    (tmp_path / "strong.toml").write_text(written.replace("[gripper]", f"torque_limits = {[*PANDA.torque_limits]}\n[gripper]"))
+    strong = read_robot(tmp_path / "strong.toml")
+    attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=strong), 3, ExpertConfig())
+    assert attempt.success, attempt.failure
+
+
+def test_a_name_is_of_one_robot(tmp_path: Path) -> None:
+    """A dataset knows its robot by the name alone."""
+    mine = tmp_path / "mine.toml"
+    mine.write_text(example(tmp_path).read_text().replace('"my-arm"', '"ur5e"'))
+    assert robot(str(mine)) == robot("ur5e")
+    moved = re.sub(r"base = \{[^}]*\}", "base = { pos = [0.0, 0.04, 0.0] }", mine.read_text())
+    mine.write_text(moved)
+    with pytest.raises(RobotFileError, match=r"mine\.toml: 'ur5e' is another robot"):
+        robot(str(mine))

@@ -10,7 +10,8 @@ import pytest
 
 from optimus.data.curate import CurationConfig, curate, load_curation
 from optimus.data.store import EpisodeStore
-from optimus.errors import DatasetError
+from optimus.errors import DatasetError, OptimusError
+from optimus.exchange.selection import select
 from synthetic import make_episode
 
 
@@ -139,3 +140,26 @@ def test_what_a_camera_does_not_see_is_left_out(store: EpisodeStore) -> None:
     assert curate(store.path, CurationConfig(in_view=("top",))).dropped == {2: "out of view", 4: "out of view"}
     with pytest.raises(DatasetError, match="'side'; it tells of top"):
         curate(store.path, CurationConfig(in_view=("side",)))
+
+
+def test_numbers_that_make_no_rule_are_refused(store: EpisodeStore) -> None:
+    nan = float("nan")
+    rules: tuple[dict[str, Any], ...] = (
+        {"validation_share": nan}, {"validation_share": 7.0}, {"validation_share": -1.0}, {"seed": -1}, {"validation_episodes": -1},
+        {"max_length_sd": nan}, {"max_tracking_error": nan}, {"workspace_min": (nan, 0.0, 0.0)},
+    )  # fmt: skip
+    for wrong in rules:
+        with pytest.raises(OptimusError):
+            CurationConfig(**wrong)
+
+
+def test_episodes_that_came_later_are_not_left_out_in_silence(store: EpisodeStore, tmp_path: Path) -> None:
+    for seed in range(4):
+        write(store, seed)
+    curate(store.path)
+    write(store, 4)
+    with pytest.raises(DatasetError, match="1 episodes came after its curation"):
+        select(store.path)
+    assert len(select(store.path, everything=True).headers) == 5
+    curate(store.path)
+    assert len(select(store.path).headers) == 5

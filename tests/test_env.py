@@ -13,9 +13,10 @@ from optimus.control.osc import OperationalSpace
 from optimus.control.pose_target import MAX_GAP
 from optimus.data.episode import PROPRIOCEPTION
 from optimus.env import ManipulationEnv
-from optimus.errors import ModelError
+from optimus.errors import ActionError, ModelError, UnknownNameError
 from optimus.registration import gym_id
-from optimus.se3 import Pose
+from optimus.scene import Camera
+from optimus.se3 import Pose, look_at
 from optimus.tasks import TASKS, task
 from optimus.world import compile_scene
 
@@ -115,3 +116,37 @@ def test_equal_scenes_share_one_model() -> None:
     by_variant = {problem(s).variant: compile_scene(problem(s).scene) for s in range(20)}
     assert len(by_variant) == 3
     assert compile_scene(problem(0).scene) is by_variant[problem(0).variant]
+
+
+def test_an_action_is_so_many_finite_numbers() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=0)
+    for wrong in (np.full(7, np.nan), np.zeros(6), np.zeros(9)):
+        with pytest.raises(ActionError, match="7 finite numbers"):
+            env.step(wrong.astype(np.float32))
+    env.step(np.zeros(7, np.float32))
+
+
+def test_a_camera_looks_straight_down_as_well() -> None:
+    """A thing at +x is above the image's middle, one at +y to the left of it: as the view from just beside the vertical has it."""
+    down = Camera("down", (0.5, 0.0, 0.9), (0.5, 0.0, 0.0))
+    nearly = Camera("nearly", (0.5 - 1e-3, 0.0, 0.9), (0.5, 0.0, 0.0))
+    env = ManipulationEnv(task("stack"), cameras=["agentview", down, nearly])
+    seen, _ = env.reset(seed=0)
+    assert [name for name in seen if name.endswith("_image")] == ["agentview_image", "down_image", "nearly_image"]
+    assert seen["down_image"].std() > 5
+    away = np.abs(seen["down_image"].astype(float) - seen["nearly_image"]).mean()
+    turned = np.abs(seen["down_image"].astype(float) - np.rot90(seen["nearly_image"], 2)).mean()
+    assert away < turned / 3
+    for q, z in ((look_at((0, 0, 1), (0, 0, 0)), 1.0), (look_at((1, 0, 0), (0, 0, 0), (1, 0, 0)), 0.0)):
+        assert np.isclose(np.linalg.norm(q), 1) and np.isclose(Pose(np.zeros(3), q).matrix[2, 2], z)
+
+
+def test_cameras_that_cannot_see_are_refused() -> None:
+    for eye, target, fovy in (((0, 0, 1), (0, 0, 1), 45), ((0, 0, np.nan), (0, 0, 0), 45), ((0, 0, 1), (0, 0, 0), 0)):
+        with pytest.raises(ModelError, match="camera 'mine'"):
+            Camera("mine", eye, target, fovy)
+    with pytest.raises(ModelError, match="camera 'agentview' of its own"):
+        ManipulationEnv(task("stack"), cameras=[Camera("agentview", (1, 0, 1), (0, 0, 0))])
+    with pytest.raises(UnknownNameError, match="agentview"):
+        ManipulationEnv(task("stack"), cameras=["sideview"])

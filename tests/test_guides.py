@@ -22,6 +22,7 @@ from optimus.objects.shapes import cup
 from optimus.planner import Budget, solve
 from optimus.predicates import PREDICATES, HandEmpty, Holding, On, Open, Shut, holds
 from optimus.rollout import rollout
+from optimus.show import show_plan
 from optimus.skills import SKILLS, Workspace
 from optimus.task import Task
 from optimus.tasks import task
@@ -107,7 +108,7 @@ def test_what_the_hand_does_not_span_is_said_and_what_it_does_is_moved(swap: Mod
     assert all(demonstrate(env, seed, ExpertConfig()).success for seed in range(3))
 
 
-def test_the_skill_of_the_guide_is_planned_with_and_done() -> None:
+def test_the_skill_of_the_guide_is_planned_with_and_done(tmp_path: Path) -> None:
     before = set(PREDICATES), set(SKILLS)
     try:
         guide = run_guide("add_a_skill.md", "present_skill")
@@ -117,6 +118,8 @@ def test_the_skill_of_the_guide_is_planned_with_and_done() -> None:
         plan = solve(workspace, env.state(), goal, rng)
         assert isinstance(plan, Plan) and plan.skeleton == ("pick", "present")
         env.problem = replace(env.problem, goal=goal)
+        presenting = replace(task("stack"), draw=lambda rng: env.problem)
+        assert show_plan(presenting, 0, tmp_path / "plan.png").skeleton == plan.skeleton  # the gripper has nothing to do in it
         rollout(env, observation, ClosedLoop(env, workspace, plan, TimeLaw(), rng, Budget()), "expert")
         assert holds(env.world.scene, env.state(), guide.Presented("cubeB"))
     finally:

@@ -12,11 +12,13 @@ import numpy as np
 import pytest
 import trimesh
 
-from optimus.assets import catalogue
+from optimus.assets import catalogue, store
 from optimus.assets.importing import Wish, imported, meshes_in, read_mesh, repaired, steadiness, stood_up, whole
+from optimus.assets.thing import Facts, Thing
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
-from optimus.errors import AssetError, OptimusError
+from optimus.errors import AssetError, OptimusError, StorageError
+from optimus.objects.shapes import block
 from optimus.tasks import task
 from optimus.workers import each_apart
 
@@ -114,6 +116,15 @@ def test_objects_of_ones_own_from_the_command_line(
     assert (tmp_path / "sheet/objects.png").stat().st_size > 1000
     assert "little-box" in (tmp_path / "sheet/objects.html").read_text()
     before = catalogue.added()
+    for wrong in ("../escaped", str(tmp_path / "meshes"), ".", "a,b", "a@b", ""):
+        with pytest.raises(OptimusError, match="cannot be an object's name"):
+            objects("add", (str(meshes / "little box.stl"),), name=wrong)
+    assert (meshes / "crate.stl").exists()
+    assert list(catalogue.keys_of("own")) == ["little-box"], "the user's own categories are categories"
+    with pytest.raises(OptimusError, match="takes no --mass, --scale"):
+        objects("list", ("little-box",), mass=0.2, scale=0.5)
+    with pytest.raises(OptimusError, match="name at least one"):
+        objects("remove")
     with pytest.raises(OptimusError, match="nothing was added"):
         objects("add", (str(meshes / "crate.stl"),))
     assert catalogue.added() == before
@@ -130,3 +141,26 @@ def test_a_mesh_that_crashes_or_holds_up_a_library_takes_no_other_with_it() -> N
         assert isinstance(made, Exception)
         with pytest.raises(AssetError, match="convex decomposition crash, or go on"):
             whole(made)
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"mass": 0.0}, {"mass": float("nan")}, {"density": float("nan")}, {"scale": -1.0}, {"mass": 0.2, "density": 300.0}]
+)
+def test_wishes_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(OptimusError, match=r"above 0|say one of them"):
+        Wish(**wrong)  # type: ignore[arg-type]
+
+
+def test_no_object_is_named_as_a_category_or_replaces_what_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OPTIMUS_OBJECTS", str(tmp_path / "mine"))
+    kept: list[str] = []
+    monkeypatch.setattr(catalogue, "keep", lambda thing, folder: kept.append(folder.name))
+    for name in ("mug", "72"):
+        facts, cube = Facts(name, "own", "thing", 0.1, 1.0, (0.5, 0.5, 0.5, 1.0)), block(0.04, (1.0, 0.0, 0.0, 1.0))
+        thing = Thing(facts, cube, (), True, (0.0, 0.0, 0.0), 1e-4, (0.0, 0.0))
+        assert catalogue.add(thing) == kept[-1] != name and len(catalogue.keys_of(name)) > 1
+    (tmp_path / "precious").mkdir()
+    (tmp_path / "precious" / "thesis.txt").write_text("all of it")
+    with pytest.raises(StorageError, match="not an object"):
+        store.save(thing, tmp_path / "precious", b"")
+    assert (tmp_path / "precious" / "thesis.txt").read_text() == "all of it"

@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+import gymnasium
 import h5py
 import mujoco
 import numpy as np
@@ -16,15 +17,20 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+from optimus.collect import CollectConfig, collect
 from optimus.control import CONTROL_HZ
 from optimus.data.curate import CurationConfig, curate, load_curation
 from optimus.data.store import EpisodeStore
+from optimus.demonstrate import ExpertConfig
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError
 from optimus.exchange.robomimic import RobomimicConfig, export_robomimic
 from optimus.exchange.robomimic_import import RobomimicSource, import_robomimic
+from optimus.expert import TimeLaw
 from optimus.learn import metrics
 from optimus.learn.train import TrainConfig, train
+from optimus.rerender import RenderConfig, rerender
+from optimus.robots.catalogue import robot
 from optimus.tasks import task as task_named
 from synthetic import CAMERAS, make_dataset, make_episode
 
@@ -279,3 +285,28 @@ def test_an_export_that_breaks_off_leaves_the_old_file(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         export_robomimic(store.path, tmp_path / "d.hdf5", RobomimicConfig(states=False, overwrite=True), stop)
     assert (tmp_path / "d.hdf5").read_bytes() == before and len(list(tmp_path.iterdir())) == 2
+
+
+def test_the_file_says_how_its_environment_is_made(tmp_path: Path) -> None:
+    """Whichever task, arm and gripper: Gymnasium makes it from what `env_args` has."""
+    law = TimeLaw(gripper="continuous")
+    for name, config in (
+        ("stack", CollectConfig("stack", tmp_path / "a", 1, workers=1, images=False, robot=robot("ur5e"))),
+        ("cans", CollectConfig("pick-place@can-1", tmp_path / "b", 1, workers=1, images=False, expert=ExpertConfig(law=law))),
+    ):
+        collect(config)
+        export_robomimic(config.out, tmp_path / f"{name}.hdf5")
+        with h5py.File(tmp_path / f"{name}.hdf5") as file:
+            told = json.loads(str(file["data"].attrs["env_args"]))
+        env = gymnasium.make(told["env_name"], **told["env_kwargs"], images=False).unwrapped
+        assert isinstance(env, ManipulationEnv)
+        assert (env.task.name, env.gripper) == (config.task, config.expert.law.gripper)
+        assert env.world.scene.robot.name == ("ur5e" if config.robot else "panda")
+
+
+def test_distances_are_pictures_of_one_channel(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    seen = rerender(taught[0], tmp_path / "depth", RenderConfig(("agentview",), size=16, depth=True), workers=1)
+    export_robomimic(seen.path, tmp_path / "depth.hdf5")
+    with h5py.File(tmp_path / "depth.hdf5") as file:
+        depth = file["data/demo_0/obs/agentview_depth"]
+        assert isinstance(depth, h5py.Dataset) and depth.shape[1:] == (16, 16, 1)

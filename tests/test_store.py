@@ -9,6 +9,7 @@ import platform
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -136,7 +137,7 @@ def test_a_full_disk_damages_nothing(store: EpisodeStore, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(Path, "replace", full)
     with pytest.raises(StorageError, match="No space left on device"):
-        store.write(make_episode(1, steps=3))
+        store.write(make_episode(1))
     assert store.episode_path(1).read_bytes() == before
     assert [p.name for p in (store.path / "episodes").iterdir()] == ["00000001.safetensors"]
 
@@ -158,3 +159,21 @@ def test_leftovers_of_dead_processes_only_are_removed(store: EpisodeStore) -> No
     os.utime(forgotten, (0, 0))
     assert EpisodeStore.open(store.path).seeds == ()
     assert [p.exists() for p in (dead, alive, elsewhere, forgotten)] == [False, True, True, False]
+
+
+def test_what_no_reader_would_take_is_refused_by_the_writer(store: EpisodeStore) -> None:
+    whole = make_episode(1)
+    store.write(whole)
+    store.write(whole)  # once more is no harm
+    hand = whole.observations["robot0_eef_pos"]
+    for wrong, said in (
+        (make_episode(1, steps=3), "holds another episode 1 already"),
+        (replace(whole, seed=-1), "0 or more"),
+        (replace(whole, seed=2, observations={**whole.observations, "robot0_eef_pos": hand.astype(np.float16)}), "float16"),
+        (replace(whole, seed=2, observations={**whole.observations, "robot0_eef_pos": hand[1:]}), "actions"),
+        (replace(whole, seed=2, object_names=("square", "circle")), r"not \(steps, 2, 3\)"),
+        (replace(whole, seed=2, info={"mass": np.float32(1)}), "JSON"),
+    ):
+        with pytest.raises(DatasetError, match=said):
+            store.write(wrong)
+    assert store.seeds == (1,) and len(store.read(1)) == len(whole)

@@ -1,6 +1,8 @@
 """Every task: its starts are what the paper says, and the expert's plans are valid and succeed in physics."""
 
+import sys
 from dataclasses import replace
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -9,10 +11,12 @@ from conftest import SOLVED
 from optimus.collision import CollisionChecker
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
+from optimus.errors import OptimusError, UnknownNameError
+from optimus.logic import Atom
 from optimus.motion.plan import Infeasible
 from optimus.objects.shapes import slab
 from optimus.planner import solve
-from optimus.predicates import Open, facts_of
+from optimus.predicates import Clear, Holding, Open, facts_of
 from optimus.scene import Fixture
 from optimus.skills import Workspace
 from optimus.tasks import task
@@ -104,3 +108,28 @@ def test_a_pulled_door_may_touch_the_fingers_by_its_bar_alone() -> None:
     assert checker.check(swing.q[-1]) is None
     checker.look_at(state.swung("door", 0.3), pulled="door")  # the door swings, the hand stays: they meet elsewhere
     assert checker.check(swing.q[0]) is not None
+
+
+def test_a_task_of_ones_own_is_called_what_leads_back_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    mine = ModuleType("mine_module")
+    mine.MINE = replace(task("stack"), summary="another")  # type: ignore[attr-defined]
+    mine.NUMBER = 7  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "mine_module", mine)
+    found = task("mine_module:MINE")
+    assert (found.name, found.summary) == ("mine_module:MINE", "another") and task(found.name) == found
+    with pytest.raises(UnknownNameError, match="a int, not a Task"):
+        task("mine_module:NUMBER")
+    with pytest.raises(OptimusError, match="horizon"):
+        replace(found, horizon=0)
+
+
+@pytest.mark.parametrize(("goal", "rises"), [(Clear("cubeB"), "cubeA"), (Holding("cubeA"), "cubeA")])
+def test_a_goal_of_clearing_or_holding_is_met_once_the_thing_is_lifted(goal: Atom, rises: str) -> None:
+    plain = task("stack").problem(0)
+    low = plain.poses["cubeB"]
+    start = {**plain.poses, "cubeA": low.shifted((0.0, 0.0, 0.045))}
+    problem = replace(plain, poses=start, goal=frozenset({goal}))
+    env = ManipulationEnv(replace(task("stack"), draw=lambda rng: problem), images=False)
+    attempt = demonstrate(env, 0, ExpertConfig())
+    assert attempt.success
+    assert env.state().poses[rises].pos[2] > start[rises].pos[2] + 0.005

@@ -24,12 +24,13 @@ from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
-from optimus.errors import OptimusError, UnknownNameError
+from optimus.errors import DatasetError, OptimusError, UnknownNameError
 from optimus.learn import checkpoint
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.presets import preset
 from optimus.learn.train import TrainConfig, train
 from optimus.motion.plan import Infeasible, Plan
+from optimus.rollout import Perturbation
 from optimus.tasks import task
 from optimus.view import Address, View, open_view
 from optimus.view.episode_view import EpisodeView
@@ -196,6 +197,7 @@ def test_an_episode_in_step(data: Path) -> None:
             opened.wait_for_timeout(1500)
             assert shown.player.index == 40
             seen = stored.observations["agentview_image"][40]
+            assert shown.picture is not None
             assert np.array_equal(shown.picture[::3, : 3 * 84 : 3], seen)
             keep(opened, "view-episode")
             assert wrong == []
@@ -264,3 +266,30 @@ def test_the_fan_is_the_mixture_that_the_policy_acted_on(run: Path, data: Path) 
     best = int(mixture.logits.reshape(-1).argmax())
     mean = policy.denormalise(mixture.mean.reshape(-1, *mixture.mean.shape[-2:])[-1])[best]
     assert np.allclose(mean[:3].numpy(), action[:3], atol=1e-6)
+
+
+def test_an_episode_without_images_is_seen_as_it_was_whatever_happened_in_it(tmp_path: Path) -> None:
+    """A push is no action: doing again what was done would show another scene."""
+    pushed = ExpertConfig(perturbation=Perturbation(), mishaps=1.0)
+    collect(CollectConfig("stack", tmp_path, 2, workers=1, images=False, expert=pushed))
+    store = EpisodeStore.open(tmp_path)
+    with pytest.raises(DatasetError, match="holds no episode 77"):
+        open_view(str(tmp_path), seed=77, address=ANY_PORT)
+    view = open_view(str(tmp_path), address=ANY_PORT)
+    try:
+        shown = view.shown
+        assert isinstance(shown, EpisodeView) and shown.picture is None
+        for seed in store.seeds:
+            shown.load(seed)
+            states = store.read(seed).states
+            assert states is not None
+            np.testing.assert_array_equal(shown.qpos, states[:, 1 : 1 + shown.qpos.shape[1]])
+            shown.player.slider.value = 1.0
+    finally:
+        view.close()
+
+
+@pytest.mark.parametrize("port", [-1, 99999])
+def test_a_port_that_there_is_not(port: int) -> None:
+    with pytest.raises(OptimusError, match="port"):
+        open_view("stack", address=Address(port=port))

@@ -29,7 +29,7 @@ from optimus.data.episode import (
     Observation,
 )
 from optimus.data.turns import as_columns
-from optimus.errors import ModelError, UnknownNameError, require_at_least
+from optimus.errors import ActionError, ModelError, UnknownNameError, require_at_least
 from optimus.render import Rig
 from optimus.robots import Robot
 from optimus.scene import Camera, Scene
@@ -166,7 +166,10 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def step(
         self, action: NDArray[np.float32]
     ) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
-        command = np.clip(np.asarray(action, np.float64), -1.0, 1.0)
+        wanted = np.asarray(action, np.float64)
+        if wanted.shape != (self.action_size,) or not np.isfinite(wanted).all():
+            raise ActionError(f"an action is {self.action_size} finite numbers, not {wanted.tolist()}")
+        command = np.clip(wanted, -1.0, 1.0)
         self.controller.move_target(command[:GRIPPER], self.data)
         self._advance(gripper=float(command[GRIPPER]), substeps=SUBSTEPS)
         self._steps += 1
@@ -196,7 +199,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return self.world.state(self.data)
 
     def snapshot(self, kind: mujoco.mjtState = FULL_STATE) -> Array:
-        """The physics state `(n,)`; from the full one, `reset(options={"state": ...})` starts again."""
+        """The physics state `(n,)`; from the full one, `reset(options={"state": ...})` starts again: with the arm at rest where it
+        is, for where it was told to go, and how many steps there were, is not of the physics."""
         out = np.empty(mujoco.mj_stateSize(self.world.model, kind))
         mujoco.mj_getState(self.world.model, self.data, out, kind)
         return out

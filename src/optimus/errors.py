@@ -22,6 +22,13 @@ def require_finite(**numbers: float | None) -> None:
             raise OptimusError(f"{name.replace('_', ' ')}: {number} is no number to count to")
 
 
+def require_positive(**numbers: float | None) -> None:
+    """`OptimusError` that names the first of the numbers which is not above zero, or has no end; what is None was not asked for."""
+    for name, number in numbers.items():
+        if number is not None and not 0 < number < math.inf:
+            raise OptimusError(f"{name.replace('_', ' ')}: {number} is not a number above 0")
+
+
 def require_below_one(**shares: float) -> None:
     """`OptimusError` that names the first of the shares which is not at least 0 and less than 1."""
     for name, share in shares.items():
@@ -59,6 +66,10 @@ class StorageError(OptimusError):
 
 class ModelError(OptimusError):
     """A scene that does not compile, or a task whose start cannot be sampled."""
+
+
+class ActionError(OptimusError):
+    """Something given to an environment as an action that is none."""
 
 
 class RobotFileError(OptimusError):

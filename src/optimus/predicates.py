@@ -29,8 +29,13 @@ def pose_of(scene: Scene, state: State, name: str) -> Pose:
 
 
 def _on(scene: Scene, state: State, thing: str, support: str) -> bool:
+    return not _holding(scene, state, thing) and _stands_on(scene, state, thing, support)
+
+
+def _stands_on(scene: Scene, state: State, thing: str, support: str) -> bool:
+    """Whether it does, held or not."""
     surface = scene.shape_of(support).surface
-    if surface is None or _holding(scene, state, thing):
+    if surface is None:
         return False
     pose, under = state.poses[thing], pose_of(scene, state, support)
     shape = scene.shape_of(thing)
@@ -102,6 +107,18 @@ def way_open(scene: Scene, support: str) -> Facts:
     """What has to hold before a hand can get at what stands on `support`: that the door before it, if any, is open."""
     door = scene.door_before(support)
     return frozenset() if door is None else frozenset({Open(door)})
+
+
+def achieved(scene: Scene, state: State, atom: Atom) -> bool:
+    """Whether one atom of a goal is met. In the moment in which the fingers shut, a thing is held and nothing is on what it stands
+    on, as far as plans go; a goal asks that it be lifted."""
+    if not holds(scene, state, atom):
+        return False
+    if atom.predicate == Holding.name:
+        return not any(_stands_on(scene, state, atom.args[0], s) for s in kinds_of(scene)["support"] if s != atom.args[0])
+    if atom.predicate == Clear.name:
+        return not any(_stands_on(scene, state, other, atom.args[0]) for other in state.poses if other != atom.args[0])
+    return True
 
 
 def holds(scene: Scene, state: State, atom: Atom) -> bool:

@@ -15,15 +15,29 @@ def gym_id(task: str) -> str:
     return f"optimus/{''.join(word.capitalize() for word in task.split('-'))}-v0"
 
 
-def make_env(task: str, **options: Any) -> gymnasium.Env[Any, Any]:
-    """The environment of a task by name; `options` as for `ManipulationEnv`."""
-    from optimus.env import ManipulationEnv
+ANY = "optimus/Task-v0"
+"""The environment of whichever task is named: `gymnasium.make(ANY, task="pick-place@mug")`."""
 
+
+def made_by(task: str) -> tuple[str, dict[str, Any]]:
+    """What Gymnasium makes the environment of a task by: an id, and what to give with it."""
+    return (gym_id(task), {}) if task in TASKS else (ANY, {"task": task})
+
+
+def make_env(task: str, **options: Any) -> gymnasium.Env[Any, Any]:
+    """The environment of a task by name; `options` as for `ManipulationEnv`, a robot by its name or file, too."""
+    from optimus.env import ManipulationEnv
+    from optimus.robots.catalogue import robot as robot_named
+
+    if isinstance(arm := options.get("robot"), str):
+        options["robot"] = robot_named(arm)
     return ManipulationEnv(task_named(task), **options)
 
 
 def register() -> None:
     """Register every task with Gymnasium; none is imported before it is made."""
+    if ANY not in gymnasium.registry:
+        gymnasium.register(id=ANY, entry_point="optimus.registration:make_env")
     for name in TASKS:
         if gym_id(name) not in gymnasium.registry:
             gymnasium.register(id=gym_id(name), entry_point="optimus.registration:make_env", kwargs={"task": name})

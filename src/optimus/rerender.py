@@ -30,7 +30,7 @@ from optimus.data.episode import (
 )
 from optimus.data.store import EpisodeStore
 from optimus.env import RECORDED_STATE
-from optimus.errors import DatasetError, UnknownNameError
+from optimus.errors import DatasetError, UnknownNameError, require_at_least
 from optimus.render import Rig, seen_names
 from optimus.robots import Robot
 from optimus.robots.catalogue import known_robots
@@ -55,6 +55,13 @@ class RenderConfig:
     segmentation: bool = False
     randomise: int | None = None
     """A seed: every episode gets a look of its own."""
+
+    def __post_init__(self) -> None:
+        require_at_least(1, size=self.size)
+        require_at_least(0, randomise=self.randomise)
+        names = [*self.cameras, *(view.name for view in self.views)]
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise DatasetError(f"camera {', '.join(twice)} is named twice; name each once")
 
     def of(self, known: tuple[str, ...]) -> tuple[str, ...]:
         """The names of the images' cameras, where the scene has those `known`."""

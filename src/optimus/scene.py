@@ -90,6 +90,9 @@ class Movable:
     words: str = ""
     """What people call it, a noun phrase without its article; empty: what is known of its shape, or colour and kind."""
 
+WRIST_CAMERA = "robot0_eye_in_hand"
+"""The robot's own, as observations name it."""
+
 
 @dataclass(frozen=True)
 class Camera:
@@ -99,6 +102,12 @@ class Camera:
     pos: Vec3
     target: Vec3
     fovy: float = 45.0
+
+    def __post_init__(self) -> None:
+        if not np.isfinite([*self.pos, *self.target, self.fovy]).all() or not 0 < self.fovy < 180:
+            raise ModelError(f"camera {self.name!r}: positions are numbers [m], the field of view is between 0 and 180 degrees")
+        if np.allclose(self.pos, self.target, atol=1e-6):
+            raise ModelError(f"camera {self.name!r} stands at what it looks at; let it look elsewhere")
 
     @classmethod
     def of(cls, record: Mapping[str, Any]) -> Camera:
@@ -124,7 +133,8 @@ class Scene:
         things = Counter(thing.name for thing in (*self.fixtures, *self.movables, *self.doors))
         if twice := sorted(name for name, times in things.items() if times > 1):
             raise ModelError(f"a scene's things have names of their own; of one name there is more than one: {', '.join(twice)}")
-        if twice := sorted(name for name, times in Counter(c.name for c in self.cameras).items() if times > 1):
+        eyes = Counter([WRIST_CAMERA, *(c.name for c in self.cameras)])
+        if twice := sorted(name for name, times in eyes.items() if times > 1):
             raise ModelError(f"the scene has a camera {twice[0]!r} of its own; name the new view otherwise")
         for fixture in self.fixtures:
             if fixture.door is not None and fixture.door not in (doors := [door.name for door in self.doors]):

@@ -147,9 +147,12 @@ def turn_towards(a: Array, b: Array, at_most: float = np.pi) -> Array:
 
 
 def look_at(pos: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)) -> Array:
-    """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre."""
+    """The quaternion `(4,) wxyz` of a MuJoCo camera (it looks along -z) at `pos` that sees `target` in its centre; seen straight
+    along `up`, the image's top is towards +x, or +z where that is `up`."""
     z = np.asarray(pos, float) - np.asarray(target, float)
     z /= np.linalg.norm(z)
     x = np.cross(np.asarray(up, float), z)
+    if np.linalg.norm(x) < 1e-6:
+        x = np.cross((1.0, 0.0, 0.0) if abs(z[0]) < 0.9 else (0.0, 0.0, 1.0), z)
     x /= np.linalg.norm(x)
     return quat_from_matrix(np.column_stack([x, np.cross(z, x), z]))

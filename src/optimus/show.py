@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from textwrap import wrap
 
@@ -191,10 +192,10 @@ def _step_pictures(
     """Before a skill, and at each action of the gripper in it: every time with the way that the tcp takes next."""
     works = [i for i, segment in enumerate(step.segments) if segment.gripper_action]
     text = f"{number}. {sentence(step.operator)}"
-    first = _ways(step.segments[: works[0]])
+    first = _ways(step.segments[: works[0]] if works else step.segments)
     pictures = [captioned(_view(rig, env, before, camera, first), f"{text}: the way there")]
     state = before
-    for this, following in zip(works, [*works[1:], len(step.segments)], strict=True):
+    for this, following in pairwise([*works, len(step.segments)]):
         state = _at_work(state, step, this)
         onward = _ways(step.segments[this + 1 : following])
         pictures.append(captioned(_view(rig, env, state, camera, onward), f"{text}: {step.segments[this].name}"))

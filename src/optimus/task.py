@@ -9,11 +9,11 @@ from functools import cached_property, partial
 import numpy as np
 
 from optimus.data.episode import TASKS_OWN
-from optimus.errors import ModelError
+from optimus.errors import ModelError, require_at_least
 from optimus.goals import require_consistent
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
-from optimus.predicates import PREDICATES, On, Released, holds, kinds_of
+from optimus.predicates import PREDICATES, On, Released, achieved, kinds_of
 from optimus.robots import Robot
 from optimus.scene import Camera, Scene
 from optimus.se3 import Pose
@@ -67,11 +67,11 @@ class Problem:
 
     def success(self, state: State) -> bool:
         """The strict rule: every atom of the goal holds, released, settled and the hand clear among them."""
-        return all(holds(self.scene, state, atom) for atom in self.goal)
+        return all(achieved(self.scene, state, atom) for atom in self.goal)
 
     def paper_success(self, state: State) -> bool:
         """The paper's rule, which never asks for release."""
-        return all(holds(self.scene, state, atom) for atom in self.goal if atom.predicate != Released.name)
+        return all(achieved(self.scene, state, atom) for atom in self.goal if atom.predicate != Released.name)
 
 
 def _require_spanned(scene: Scene, name: str) -> None:
@@ -108,6 +108,9 @@ class Task:
     """From where they are taken, against that centre [m]."""
     draw_with: Callable[[Objects, np.random.Generator], Problem] | None = None
     """Draws the problem with other objects; None where there are none to choose."""
+
+    def __post_init__(self) -> None:
+        require_at_least(1, horizon=self.horizon)
 
     @property
     def people_camera(self) -> Camera:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.errors import ModelError
-from optimus.scene import Scene
+from optimus.scene import WRIST_CAMERA, Scene
 from optimus.se3 import Array, Pose
 from optimus.spec import BAR_SUFFIX, ROBOT_PREFIX, world_spec
 from optimus.state import Held, State
@@ -71,7 +71,7 @@ class World:
     @property
     def image_cameras(self) -> tuple[str, ...]:
         """The cameras as observations name them; the wrist's last."""
-        return (*(c.name for c in self.scene.cameras), "robot0_eye_in_hand")
+        return (*(c.name for c in self.scene.cameras), WRIST_CAMERA)
 
     @property
     def views(self) -> dict[str, dict[str, Any]]:
@@ -84,7 +84,7 @@ class World:
         }
 
     def camera_id(self, name: str) -> int:
-        model_name = ROBOT_PREFIX + "eye_in_hand" if name == "robot0_eye_in_hand" else name
+        model_name = ROBOT_PREFIX + "eye_in_hand" if name == WRIST_CAMERA else name
         return int(self.model.camera(model_name).id)
 
     # ---- between MuJoCo's vectors and State

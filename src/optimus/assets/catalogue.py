@@ -76,16 +76,26 @@ def keys_of(objects: str) -> dict[str, str]:
     if Path(objects).is_dir() and folders_in(Path(objects)):
         return {name: str(path) for name, path in folders_in(Path(objects)).items()}
     known = [*LIBRARY, *added()]
-    categories = {b.category for b in LIBRARY.values()}
+    categories = by_category()
     found: list[str] = []
     for name in objects.split(","):
         if name in known:
             found.append(name)
         elif name in categories:
-            found += [b.name for b in LIBRARY.values() if b.category == name]
+            found += categories[name]
         else:
             raise UnknownNameError("object", name, [*SETS, *sorted(categories), *known])
     return {name: name for name in found}
+
+
+def by_category() -> dict[str, list[str]]:
+    """The names of the objects of each category: the library's, then the user's own."""
+    found: dict[str, list[str]] = {}
+    for blueprint in LIBRARY.values():
+        found.setdefault(blueprint.category, []).append(blueprint.name)
+    for name, folder in added().items():
+        found.setdefault(store.record(folder)["category"], []).append(name)
+    return found
 
 
 def folder_of(name: str) -> Path:
@@ -183,7 +193,7 @@ def measured() -> dict[str, tuple[int, int]]:
 
 def add(thing: Thing) -> str:
     """Put a thing among the user's own objects, under its name or, if that is taken, the next free one; the name it has there."""
-    taken = {*LIBRARY, *added()}
+    taken = {*SETS, *by_category(), *LIBRARY, *added()}
     wanted = thing.facts.name
     name = next(n for n in chain([wanted], (f"{wanted}-{k}" for k in count(2))) if n not in taken)
     named = replace(thing, facts=replace(thing.facts, name=name), shape=replace(thing.shape, kind=name))

@@ -16,7 +16,7 @@ from optimus.assets.acronym import GraspFile, read_grasps
 from optimus.assets.antipodal import Candidate
 from optimus.assets.convex import union_of_pieces
 from optimus.assets.thing import HEAVIEST, Facts, Thing, prepare
-from optimus.errors import AssetError
+from optimus.errors import AssetError, OptimusError, require_positive
 from optimus.objects.shapes import Grasp, Rgba
 from optimus.se3 import Pose
 
@@ -52,6 +52,14 @@ class Wish:
     """Metres per unit of the file."""
     up: Up = "auto"
     friction: float = FRICTION
+
+    def __post_init__(self) -> None:
+        require_positive(mass=self.mass, density=self.density, scale=self.scale, friction=self.friction)
+        if self.mass is not None and self.density is not None:
+            raise OptimusError("the mass decides the density: say one of them")
+        for what, name in (("name", self.name), ("category", self.category)):
+            if name is not None and not re.fullmatch(r"[a-z0-9][a-z0-9_-]*", name):
+                raise OptimusError(f"{name!r} cannot be an object's {what}: small letters, digits, - and _ can")
 
 
 def meshes_in(paths: Iterable[Path]) -> list[Path]:

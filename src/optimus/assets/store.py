@@ -24,7 +24,9 @@ RECORD, MESHES, GRASPS, PICTURE = "object.json", "meshes.npz", "grasps.h5", "pic
 
 
 def save(thing: Thing, folder: Path, picture: bytes) -> None:
-    """Write a thing to `folder`, whole or not at all; what stood there is replaced."""
+    """Write a thing to `folder`, whole or not at all; a thing that stood there is replaced, anything else is let be."""
+    if folder.exists() and not (folder / RECORD).is_file():
+        raise StorageError(f"{folder} holds something that is not an object")
     aside = folder.with_name(f".{folder.name}.tmp-{os.getpid()}")
     try:
         shutil.rmtree(aside, ignore_errors=True)

@@ -17,7 +17,7 @@ What = Annotated[str, Positional, arg(metavar="TASK|DATASET|RUN", help="a task's
 
 def view(
     what: What,
-    seed: int = 0,
+    seed: int | None = None,
     port: int = 8080,
     host: str = "127.0.0.1",
     robot: RobotName = None,
@@ -35,7 +35,7 @@ def view(
         optimus view pretrained:pick-place
 
     Args:
-        seed: which problem, or which episode of a dataset
+        seed: which problem, or which episode of a dataset; by default the first
         port: of the page; 0 takes any that is free
         host: the address to serve at; the default lets in this machine alone, 0.0.0.0 everybody
     """

@@ -50,6 +50,10 @@ def objects(
         up: with add: which axis of the file points up; by default whichever it can stand on
         meshes: with acronym: the folder that the grasp files' meshes lie in
     """
+    told = {"name": name, "category": category, "mass": mass, "density": density, "scale": scale, "up": up}
+    usual = {"name": None, "category": "own", "mass": None, "density": None, "scale": 1.0, "up": "auto"}
+    if do in ("list", "remove") and (senseless := [f"--{option}" for option in told if told[option] != usual[option]]):
+        raise OptimusError(f"objects {do} takes no {', '.join(senseless)}: say it with add")
     if do == "list":
         _list(what, out, workers, json)
     elif do == "remove":
@@ -118,6 +122,8 @@ def _add(do: str, what: tuple[str, ...], wish: Any, meshes: Path, workers: int, 
 def _remove(what: tuple[str, ...], json: bool) -> None:
     from optimus.assets import catalogue
 
+    if not what:
+        raise OptimusError("objects remove: name at least one object of your own")
     for name in what:
         catalogue.remove(name)
     say({"removed": list(what)}, json, f"removed {', '.join(what)}")

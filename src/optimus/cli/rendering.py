@@ -71,7 +71,7 @@ def _view(text: str) -> Camera:
         fovy = [float(part) for part in parts[2:]] or [45.0]
     except ValueError:
         pos, target, fovy = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), []
-    if not name.isidentifier() or len(fovy) != 1 or not 1.0 <= fovy[0] <= 170.0 or pos[:2] == target[:2]:
-        wanted = "a new view is NAME=X,Y,Z:X,Y,Z[:FOVY], and not straight from above; e.g. side=1.2,0.6,0.5:0.5,0,0"
+    if not name.isidentifier() or len(fovy) != 1 or not 1.0 <= fovy[0] <= 170.0:
+        wanted = "a new view is NAME=X,Y,Z:X,Y,Z[:FOVY], e.g. side=1.2,0.6,0.5:0.5,0,0"
         raise OptimusError(f"--cameras {text}: {wanted}")
     return Camera(name, pos, target, fovy[0])

@@ -18,7 +18,7 @@ from optimus.data.episode import MISHAP, RECEPTACLE, VIEWS
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.frustum import in_view
 from optimus.data.store import EpisodeStore
-from optimus.errors import DatasetError
+from optimus.errors import DatasetError, require_at_least, require_below_one, require_finite
 
 CURATION_FILE = "curation.json"
 
@@ -51,6 +51,14 @@ class CurationConfig:
     """... or this many if that is more, but never more than a fifth of them: one for each evaluated episode."""
     seed: int = 0
     """Decides which ones are held out."""
+
+    def __post_init__(self) -> None:
+        require_at_least(0, validation_episodes=self.validation_episodes, seed=self.seed)
+        require_at_least(0, max_length_sd=self.max_length_sd, max_tracking_error=self.max_tracking_error)
+        require_below_one(validation_share=self.validation_share)
+        for corner in filter(None, (self.workspace_min, self.workspace_max)):
+            for number in corner:
+                require_finite(workspace=number)
 
 
 @dataclass(frozen=True)
@@ -96,6 +104,12 @@ def curate(path: Path | str, config: CurationConfig | None = None) -> Curation:
     curation = Curation(train, validation, dropped, json.loads(json.dumps(asdict(config))), counts)
     write_json(store.path / CURATION_FILE, _as_json(curation, store.task))
     return curation
+
+
+def require_decided(store: EpisodeStore, curation: Curation) -> None:
+    """`DatasetError` if there are episodes of which the curation knows nothing: they would be left out without a word."""
+    if new := set(store.seeds) - {*curation.kept, *curation.dropped}:
+        raise DatasetError(f"{store.path}: {len(new)} episodes came after its curation; curate it again")
 
 
 def load_curation(path: Path | str) -> Curation:

@@ -88,12 +88,27 @@ def start_digest(state: NDArray[Any]) -> str:
 
 
 def episode_bytes(episode: Episode, path: Path) -> bytes:
-    """The content of an episode's file; `path` is where it will be, for the message if a value is not
-    finite."""
+    """The content of an episode's file; `path` is where it will be, for the message if something is not as readers need it."""
     arrays = _arrays(episode)
     for name, array in arrays.items():
         require_finite(array, path, name)
-    return _in_order(save(arrays, metadata={"format": EPISODE_FORMAT, "episode": _metadata(episode)}))
+        if array.dtype.type not in _DTYPES.values():
+            raise DatasetError(f"{path}: {name} is of {array.dtype}; an episode's arrays are of {', '.join(map(_name, _DTYPES))}")
+        if name != "initial_state" and array.shape[:1] != (len(episode),):
+            raise DatasetError(f"{path}: {name} has shape {array.shape}, but there are {len(episode)} actions")
+    if episode.seed < 0:
+        raise DatasetError(f"{path}: an episode's seed is 0 or more, not {episode.seed}")
+    if episode.objects.shape[1:] != (len(episode.object_names), 3):
+        raise DatasetError(f"{path}: objects has shape {episode.objects.shape}, not (steps, {len(episode.object_names)}, 3)")
+    try:
+        metadata = _metadata(episode)
+    except TypeError as error:
+        raise DatasetError(f"{path}: info holds what JSON cannot say: {error}") from error
+    return _in_order(save(arrays, metadata={"format": EPISODE_FORMAT, "episode": metadata}))
+
+
+def _name(dtype: str) -> str:
+    return np.dtype(_DTYPES[dtype]).name
 
 
 def _in_order(payload: bytes) -> bytes:

@@ -102,7 +102,10 @@ class EpisodeStore:
         if episode.cameras != self.cameras:
             raise DatasetError(f"episode {episode.seed} has cameras {episode.cameras}, {self.path} has {self.cameras}")
         path = self.episode_path(episode.seed)
-        write_whole(path, episode_bytes(episode, path))
+        payload = episode_bytes(episode, path)
+        if path.exists() and path.read_bytes() != payload:
+            raise DatasetError(f"{self.path} holds another episode {episode.seed} already; give this one a seed of its own")
+        write_whole(path, payload)
 
     def write_failure(self, seed: int, reason: str, skeleton: Iterable[str] = (), info: Mapping[str, Any] | None = None) -> None:
         """Record an attempt that failed, so that it is counted and not tried again."""

@@ -25,14 +25,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.atomic import require_free, written_aside
-from optimus.data.episode import IMAGE_SUFFIX
+from optimus.data.episode import DEPTH_SUFFIX, IMAGE_SUFFIX
 from optimus.data.episode_file import EpisodeHeader, read_episode
 from optimus.data.store import installed_versions
 from optimus.env import ManipulationEnv
 from optimus.exchange.hdf5 import created
 from optimus.exchange.selection import Selection, instruction_of, select
 from optimus.exchange.states import environment, states_of
-from optimus.registration import gym_id
+from optimus.registration import made_by
 from optimus.spec import world_spec
 
 GYM_TYPE = 2
@@ -84,7 +84,8 @@ def _write_demo(group: h5py.Group, header: EpisodeHeader, env: ManipulationEnv |
     episode = read_episode(header)
     last = np.zeros(len(episode), np.float64)
     last[-1] = 1.0
-    seen = dict(episode.observations)
+    # distances as pictures of one channel, as robomimic's depth is
+    seen = {name: array[..., None] if name.endswith(DEPTH_SUFFIX) else array for name, array in episode.observations.items()}
     if episode.object_names:
         seen[OBJECT] = episode.objects.reshape(len(episode), -1)
     states = states_of(header, env) if config.states else None
@@ -122,12 +123,13 @@ def _episode_facts(header: EpisodeHeader) -> dict[str, Any]:
 
 def _env_args(selection: Selection, env: ManipulationEnv | None) -> dict[str, Any]:
     store = selection.store
-    name = store.task if env is None else gym_id(store.task)
+    name, task = (store.task, {}) if env is None else made_by(store.task)
     foreign = store.config.get("env_args")
     if isinstance(foreign, dict):
         return foreign
     version = installed_versions()["optimus-tamp"]
-    return {"env_name": name, "type": GYM_TYPE, "env_kwargs": {"control": store.control}, "env_version": version}
+    how = {"control": store.control, **{key: store.config[key] for key in ("robot", "gripper") if key in store.config}}
+    return {"env_name": name, "type": GYM_TYPE, "env_kwargs": {**task, **how}, "env_version": version}
 
 
 def _about(selection: Selection) -> dict[str, Any]:

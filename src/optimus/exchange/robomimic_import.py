@@ -103,7 +103,7 @@ def _description(data: h5py.Group, images: Iterable[str]) -> tuple[str, list[str
     if own:
         return own["task"], [c for c in own["cameras"] if c in cameras], own["config"]
     config: dict[str, Any] = {IMPORTED: "robomimic", "env_args": env_args}
-    controller = env_args.get("env_kwargs", {}).get("controller_configs") or {}
+    controller = (env_args.get("env_kwargs") or {}).get("controller_configs") or {}
     if controller.get("type") == "OSC_POSE" and "output_max" in controller:  # robosuite: metres for an action of 1
         config["position_scale"] = float(np.ravel(controller["output_max"])[0])
     return str(env_args.get("env_name", "unknown")), cameras, config
@@ -169,6 +169,8 @@ def _write_curation(file: h5py.File, folder: Path, task: str, seeds: Mapping[str
     if masks is None or not {"train", "valid"} <= set(names_in(masks)):
         return {"train": 0, "valid": 0}
     split = {key: sorted(seeds[name] for name in names(masks, key) if name in seeds) for key in ("train", "valid")}
+    if both := set(split["train"]) & set(split["valid"]):
+        raise DatasetError(f"{file.filename}: its masks train and valid share demonstrations {sorted(both)}")
     kept = {*split["train"], *split["valid"]}
     record = {
         "task": task,

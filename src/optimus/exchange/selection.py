@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from optimus.data.curate import CURATION_FILE, load_curation
+from optimus.data.curate import CURATION_FILE, load_curation, require_decided
 from optimus.data.episode import INSTRUCTION
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.store import EpisodeStore
@@ -43,6 +43,8 @@ def select(dataset: Path, everything: bool = False) -> Selection:
     train, validation = frozenset[int](), frozenset[int]()
     if (store.path / CURATION_FILE).exists():
         curation = load_curation(dataset)
+        if not everything:
+            require_decided(store, curation)
         train, validation = frozenset(curation.train), frozenset(curation.validation)
         if missing := (train | validation) - set(seeds):
             raise DatasetError(f"{store.path}: its curation names episodes that are not there: {sorted(missing)}; curate again")

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import TASKS_OWN
+from optimus.data.episode import BINARY, TASKS_OWN
 from optimus.data.episode_file import STATES, EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
@@ -23,12 +23,12 @@ def environment(store: EpisodeStore) -> ManipulationEnv | None:
         arm = None if store.robot == TASKS_OWN else robot_named(store.robot)
     except OptimusError:
         return None
-    return _environment(task.name, store.control, arm)
+    return _environment(task.name, store.control, arm, store.config.get("gripper", BINARY))
 
 
 @lru_cache(maxsize=1)
-def _environment(task: str, control: str, arm: object) -> ManipulationEnv:
-    return ManipulationEnv(task_named(task), images=False, control=control, robot=arm)  # type: ignore[arg-type]
+def _environment(task: str, control: str, arm: object, gripper: str) -> ManipulationEnv:
+    return ManipulationEnv(task_named(task), images=False, control=control, robot=arm, gripper=gripper)  # type: ignore[arg-type]
 
 
 def states_of(header: EpisodeHeader, env: ManipulationEnv | None) -> NDArray[np.float64] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from optimus.errors import UnknownNameError
+from optimus.errors import RobotFileError, UnknownNameError
 from optimus.robots.file import read_robot
 from optimus.robots.panda import PANDA
 from optimus.robots.robot import Robot
@@ -20,5 +20,10 @@ def robot(name: str) -> Robot:
     known = known_robots()
     if name not in known and not name.endswith(".toml"):
         raise UnknownNameError("robot", name, [*known, "a robot file (NAME.toml)"])
-    path = known.get(name, Path(name))
-    return PANDA if path is None else read_robot(path)
+    if name in known:
+        path = known[name]
+        return PANDA if path is None else read_robot(path)
+    mine = read_robot(Path(name))
+    if mine.name in known and mine != robot(mine.name):  # records know a robot by its name
+        raise RobotFileError(f"{name}: {mine.name!r} is another robot, that comes with this package; name yours otherwise")
+    return mine

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -70,6 +71,9 @@ def _as_written(top: _Table, mount: Mount | None, source: str, name: str) -> Rob
     prefix, pad = "" if mount is None else GRIPPER_PREFIX, gripper.table("pad")
     joints = top.words("joints")
     count = len(joints)
+    eye, looked_at = camera.vector("pos", CAMERA_POS), camera.vector("target", CAMERA_TARGET)
+    if eye == looked_at:
+        raise RobotFileError(f"[camera] stands at what it looks at: {list(eye)}")
     robot = Robot(
         name=top.word("name", name),
         source=source,
@@ -80,20 +84,20 @@ def _as_written(top: _Table, mount: Mount | None, source: str, name: str) -> Rob
         tcp=tcp.vector("pos"),
         tcp_quat=tcp.turn(),
         home=top.numbers("home", count),
-        torque_limits=top.numbers("torque_limits", count) if "torque_limits" in top.raw else (),
-        speed_limits=top.numbers("speed_limits", count) if "speed_limits" in top.raw else (),
+        torque_limits=top.positive("torque_limits", count) if "torque_limits" in top.raw else (),
+        speed_limits=top.positive("speed_limits", count) if "speed_limits" in top.raw else (),
         finger_shut=gripper.pair("shut"),
         finger_open=gripper.pair("open"),
         gripper_actuator=prefix + gripper.word("actuator") if "actuator" in gripper.raw else None,
         pad_pos=pad.vector("pos") if pad.raw else None,
         pad_half=pad.vector("half"),
-        camera_pos=camera.vector("pos", CAMERA_POS),
-        camera_target=camera.vector("target", CAMERA_TARGET),
+        camera_pos=eye,
+        camera_target=looked_at,
         base_pos=base.vector("pos"),
         base_quat=base.turn(),
         mount=mount,
     )
-    return replace(robot, camera_fovy=camera.numbers("fovy", 1)[0]) if "fovy" in camera.raw else robot
+    return replace(robot, camera_fovy=camera.positive("fovy", 1)[0]) if "fovy" in camera.raw else robot
 
 
 def _two(gripper: _Table, key: str, prefix: str) -> tuple[str, str]:
@@ -170,7 +174,15 @@ class _Table:
         value = value if isinstance(value, list) else [value]
         if len(value) != count or not all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in value):
             raise RobotFileError(f"{self._name(key)} should be {count} number{'s' if count > 1 else ''}: {self.raw[key]!r}")
+        if not all(map(math.isfinite, value)):
+            raise RobotFileError(f"{self._name(key)} should be finite: {self.raw[key]!r}")
         return tuple(float(v) for v in value)
+
+    def positive(self, key: str, count: int) -> tuple[float, ...]:
+        """So many numbers above zero."""
+        if min(value := self.numbers(key, count)) <= 0:
+            raise RobotFileError(f"{self._name(key)} should be above 0: {self.raw[key]!r}")
+        return value
 
     def vector(self, key: str, default: Vec3 = (0.0, 0.0, 0.0)) -> Vec3:
         """Three numbers."""

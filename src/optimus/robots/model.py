@@ -43,6 +43,8 @@ def assemble(source: str, mount: Mount | None) -> mujoco.MjSpec:
         spec.delete(key)
     for light in list(spec.lights):
         spec.delete(light)
+    for sensor in list(spec.sensors):  # nothing here reads them, and what they are of may go
+        spec.delete(sensor)
     return spec
 
 
@@ -116,6 +118,7 @@ def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
     for actuator in list(spec.actuators):
         if actuator.target in limits:
             actuator.set_to_motor()
+            actuator.gear = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]  # its force is the joint's torque
             actuator.forcerange = actuator.ctrlrange = [-limits[actuator.target], limits[actuator.target]]
         elif actuator.name != robot.gripper_actuator:
             spec.delete(actuator)
@@ -129,6 +132,8 @@ def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
         joint = spec.joint(name)
         if joint.armature == 0.0:
             joint.armature = ARMATURE
+        if name in robot.joints:
+            joint.actfrclimited = mujoco.mjtLimited.mjLIMITED_FALSE  # the robot's own limits are the motors'
         if name in robot.fingers or joint.type != mujoco.mjtJoint.mjJNT_HINGE:
             continue
         unsaid = joint.limited == mujoco.mjtLimited.mjLIMITED_AUTO and joint.range[0] >= joint.range[1]

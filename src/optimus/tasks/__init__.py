@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -47,12 +48,17 @@ def with_objects(name: str, objects: str | None) -> str:
 
 
 def _named(name: str) -> Task:
+    from optimus.task import Task
+
     place = TASKS.get(name, name)
     module, _, attribute = place.partition(":")
     if not attribute:
         raise UnknownNameError("task", name, TASKS)
     try:
-        return getattr(import_module(module), attribute)
+        found = getattr(import_module(module), attribute)
     except (ImportError, AttributeError) as error:
         hint = f"; put its folder into PYTHONPATH: {error}" if isinstance(error, ModuleNotFoundError) else f": {error}"
         raise UnknownNameError("task", f"{name} (module:NAME{hint})", TASKS) from error
+    if not isinstance(found, Task):
+        raise UnknownNameError("task", f"{name} (a {type(found).__name__}, not a Task)", TASKS)
+    return found if found.name == name else replace(found, name=name)  # what records call it must lead back to it

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 from viser import uplot
 
 from optimus.control import CONTROL_HZ
-from optimus.data.episode import Episode
+from optimus.data.episode import BINARY, Episode
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError
 from optimus.robots.catalogue import known_robots
@@ -34,20 +35,23 @@ GRIPPER_COLOUR = "#777777"
 class EpisodeView:
     """One episode of a dataset at a time."""
 
-    def __init__(self, server: viser.ViserServer, store: EpisodeStore, seed: int = 0, robot: Robot | None = None) -> None:
+    def __init__(self, server: viser.ViserServer, store: EpisodeStore, seed: int | None = None, robot: Robot | None = None) -> None:
         if not store.seeds:
             raise DatasetError(f"{store.path} holds no episode yet; collect some")
         if robot is None and store.robot in known_robots():
             robot = robot_named(store.robot)
         self._store, self._server, self._task = store, server, task_named(store.task)
-        self._env = ManipulationEnv(self._task, images=False, control=store.control, robot=robot)
+        gripper = store.config.get("gripper", BINARY)
+        self._env = ManipulationEnv(self._task, images=False, control=store.control, robot=robot, gripper=gripper)
         self.player = Player(server, self._show)
         gui = server.gui
         seeds = tuple(map(str, store.seeds))
-        first = str(seed) if str(seed) in seeds else seeds[0]
+        first = seeds[0] if seed is None else str(seed)
+        if first not in seeds:
+            raise DatasetError(f"{store.path} holds no episode {seed}; it holds {', '.join(seeds)}")
         self._chosen = gui.add_dropdown("episode", seeds, initial_value=first, hint="by its seed")
         self._facts = gui.add_html("")
-        self._picture = gui.add_image(blank(store.cameras), label=" | ".join(store.cameras))
+        self._picture = gui.add_image(blank(store.cameras), label=" | ".join(store.cameras)) if store.cameras else None
         self._chart: viser.GuiUplotHandle | None = None
         self._chosen.on_update(lambda _: self.load(int(self._chosen.value)))
         self.load(int(self._chosen.value))
@@ -55,7 +59,7 @@ class EpisodeView:
     def load(self, seed: int) -> None:
         """Show the episode of that seed, from its start."""
         self.episode = self._store.read(seed)
-        self.qpos, error = _played_again(self._env, self.episode)
+        self.qpos, error = _recorded(self._env, self.episode) or _played_again(self._env, self.episode)
         self.stage = Stage(self._server, self._env.world, self._task)
         self._facts.content = words.facts(
             {
@@ -71,9 +75,9 @@ class EpisodeView:
         self._show(0)
 
     @property
-    def picture(self) -> NDArray[np.uint8]:
-        """What the cameras saw, as it is shown."""
-        return self._picture.image
+    def picture(self) -> NDArray[np.uint8] | None:
+        """What the cameras saw, as it is shown; None where there were none."""
+        return None if self._picture is None else self._picture.image
 
     def close(self) -> None:
         """End what plays."""
@@ -83,8 +87,9 @@ class EpisodeView:
         """The scene, pictures and actions of that step."""
         self.stage.show(self.qpos[index])
         with self._server.atomic():
-            seen = {name: values[index] for name, values in self.episode.observations.items()}
-            self._picture.image = side_by_side(seen, self.episode.cameras)
+            if self._picture is not None:
+                seen = {name: values[index] for name, values in self.episode.observations.items()}
+                self._picture.image = side_by_side(seen, self.episode.cameras)
             self._plot(index)
 
     def _plot(self, index: int) -> None:
@@ -102,6 +107,21 @@ class EpisodeView:
         series = [uplot.Series(label="s"), *(uplot.Series(label=n, stroke=c, width=1.5) for n, c in zip(names, paint, strict=True))]
         scales = {"x": uplot.Scale(time=False), "y": uplot.Scale(range=(-1.1, 1.1))}
         self._chart = self._server.gui.add_uplot(data, tuple(series), scales=scales, title="actions", aspect=1.6)
+
+
+def _recorded(env: ManipulationEnv, episode: Episode) -> tuple[Array, float] | None:
+    """Positions `(T, nq)` before each action as the episode has them, whatever happened besides what was executed, and how far
+    any object is from where it is said to be [m]; None where it did not record them, or in another version's scene."""
+    env.reset(seed=episode.seed)
+    model, data = env.world.model, env.data
+    if episode.states is None or episode.states.shape[1] != 1 + model.nq + model.nv:
+        return None
+    qpos, error = episode.states[:, 1 : 1 + model.nq], 0.0
+    for positions, objects in zip(qpos, episode.objects, strict=True):
+        data.qpos[:] = positions
+        mujoco.mj_kinematics(model, data)
+        error = max(error, float(np.abs(env.object_positions() - objects).max(initial=0.0)))
+    return qpos, error
 
 
 def _played_again(env: ManipulationEnv, episode: Episode) -> tuple[Array, float]:

@@ -12,7 +12,7 @@ from pathlib import Path
 import viser
 
 from optimus.data.store import EpisodeStore
-from optimus.errors import OptimusError, UnknownNameError
+from optimus.errors import OptimusError, UnknownNameError, require_at_least
 from optimus.learn.checkpoint import CONFIG_FILE
 from optimus.robots import Robot
 from optimus.tasks import TASKS
@@ -46,12 +46,13 @@ class View:
 Shower = Callable[[viser.ViserServer], SceneView | EpisodeView | PolicyView]
 
 
-def open_view(target: str, seed: int = 0, address: Address | None = None, robot: Robot | None = None) -> View:
+def open_view(target: str, seed: int | None = None, address: Address | None = None, robot: Robot | None = None) -> View:
     """Serve a view of a task's name, a dataset's folder, or the folder of a policy or of the main job.
 
-    `seed` says which problem, or which episode (None of that seed: the first). `UnknownNameError` if it is none of these,
-    `OptimusError` if the port is taken."""
+    `seed` says which problem, or which episode; None: the first. `UnknownNameError` if it is none of these, `OptimusError` if the
+    port is taken."""
     address = address or Address()
+    require_at_least(0, seed=seed, port=address.port)
     show = _shower(target, seed, robot)
     _require_free(address)
     with redirect_stdout(io.StringIO()):  # its banner; what is said on standard output is for the command line to say
@@ -64,7 +65,7 @@ def open_view(target: str, seed: int = 0, address: Address | None = None, robot:
         raise
 
 
-def _shower(target: str, seed: int, robot: Robot | None) -> Shower:
+def _shower(target: str, seed: int | None, robot: Robot | None) -> Shower:
     """What shows `target`; errors about it are raised here, before there is a server."""
     folder = Path(target)
     if folder.is_dir():
@@ -73,13 +74,13 @@ def _shower(target: str, seed: int, robot: Robot | None) -> Shower:
             return lambda server: EpisodeView(server, store, seed, robot)
         for run in (folder, folder / "policy"):
             if (run / CONFIG_FILE).exists():
-                return lambda server, run=run: PolicyView(server, run, seed, robot)
+                return lambda server, run=run: PolicyView(server, run, seed or 0, robot)
         raise OptimusError(f"{folder} holds neither a dataset (dataset.json) nor a policy ({CONFIG_FILE}, or policy/{CONFIG_FILE})")
     try:
         task = task_named(target)
     except UnknownNameError:
         raise UnknownNameError("task, dataset or run", target, TASKS) from None
-    return lambda server: SceneView(server, task, seed, robot)
+    return lambda server: SceneView(server, task, seed or 0, robot)
 
 
 def _require_free(address: Address) -> None:
@@ -87,5 +88,6 @@ def _require_free(address: Address) -> None:
     try:
         with socket.create_server((address.host, address.port)):
             pass
-    except OSError as error:
-        raise OptimusError(f"cannot serve at {address.host}:{address.port}: {error.strerror}; choose another --port") from error
+    except (OSError, OverflowError) as error:
+        why = getattr(error, "strerror", None) or error
+        raise OptimusError(f"cannot serve at {address.host}:{address.port}: {why}; choose another --port") from error
