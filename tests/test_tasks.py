@@ -133,3 +133,10 @@ def test_a_goal_of_clearing_or_holding_is_met_once_the_thing_is_lifted(goal: Ato
     attempt = demonstrate(env, 0, ExpertConfig())
     assert attempt.success
     assert env.state().poses[rises].pos[2] > start[rises].pos[2] + 0.005
+
+
+def test_what_is_done_already_is_not_demonstrated() -> None:
+    problem = replace(task("stack").problem(0), goal=frozenset({Clear("cubeA")}))
+    env = ManipulationEnv(replace(task("stack"), draw=lambda rng: problem), images=False)
+    attempt = demonstrate(env, 0, ExpertConfig())
+    assert attempt.episode is None and "met at the start" in attempt.failure

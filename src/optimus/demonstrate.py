@@ -134,6 +134,8 @@ def demonstrate(
     kind: MishapKind | None = mishap.kind if mishap is not None else config.mishap(seed)
     mishap = mishap or Conditions(None if kind == "miss" else kind).mishap(seed)
     observation, info = env.reset(seed=seed)
+    if env.problem.success(env.state()):
+        return Attempt(seed, None, "nothing to do: the goal is met at the start", 0.0, {"variant": info["variant"]})
     planned, pushing = plan_for(env, seed, config), np.random.default_rng([seed, 2])
     plan, seconds = planned.plan, planned.seconds
     if isinstance(plan, Infeasible):

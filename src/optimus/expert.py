@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from optimus.control import CONTROL_HZ, JOINT_SCALE, SCALE, require_control
 from optimus.data.episode import BINARY, CONTINUOUS, Observation
-from optimus.errors import UnknownNameError, require_at_least
+from optimus.errors import UnknownNameError, require_at_least, require_finite
 from optimus.motion.lines import distance
 from optimus.motion.path import JointPath, Path, PosePath
 from optimus.motion.plan import Plan, Segment
@@ -52,6 +52,7 @@ class TimeLaw:
             raise UnknownNameError("gripper", self.gripper, (BINARY, CONTINUOUS))
         require_at_least(0, stall=self.stall)
         require_at_least(self.slowest, speed=self.speed)
+        require_finite(speed=self.speed)
 
 
 class Steering(Protocol):

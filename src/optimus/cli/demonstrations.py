@@ -79,13 +79,14 @@ def collect(
         motion: straight ways first, or all but the last stretch as the sampling planner finds it
         speed: of the hand along its way [m/s]
         check: leave out plans that do not stand up to an independent check of their motions and effects
-        policy: a run folder whose policy takes turns with the expert; the labels stay the expert's (corrections)
+        policy: a run folder or pretrained:NAME whose policy takes turns with the expert; the labels stay the expert's (corrections)
     """
     from optimus.collect import CollectConfig
     from optimus.collect import collect as run_collect
     from optimus.correct import Turns
     from optimus.demonstrate import ExpertConfig
     from optimus.expert import TimeLaw
+    from optimus.pretrained import run_folder
     from optimus.rollout import Perturbation
     from optimus.skills import Style
     from optimus.tasks import with_objects
@@ -100,7 +101,7 @@ def collect(
         seed=seed,
         workers=workers,
         expert=expert,
-        turns=Turns(policy) if policy else None,
+        turns=Turns(run_folder(policy)) if policy else None,
         control=control,
         robot=chosen_robot(robot),
         images=images,
