@@ -145,6 +145,9 @@ def test_what_was_found_is_of_the_weights_that_it_says(taught: tuple[Path, Path]
     first.write(run)
     assert first.answered(run, seeds) == first.as_dict()
     assert first.answered(run, seeds[:1]) is None and replace(first, component="likeliest").answered(run, seeds) is None
+    replace(first, outcomes=first.outcomes[:1]).write(run)  # a shorter look takes nothing away
+    assert first.answered(run, seeds) == first.as_dict()
+    assert (run / first.file_name).with_suffix(".jsonl").read_text() == first.lines
     policy = checkpoint.load(run)
     checkpoint.save(run, policy)  # perhaps in another order
     assert checkpoint.weights_of(run) == first.weights

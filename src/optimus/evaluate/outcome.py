@@ -72,11 +72,16 @@ class EvalReport:
 
     def answered(self, run: Path, seeds: Sequence[int]) -> dict[str, Any] | None:
         """The report in that run's folder that answers the same question with episodes from these seeds, if there is one."""
+        there = self._known(run)
+        return there if there and [o["seed"] for o in there["outcomes"]] == list(seeds) else None
+
+    def _known(self, run: Path) -> dict[str, Any] | None:
+        """The report in that run's folder that answers the same question, with episodes from whatever seeds."""
         try:
             there = json.loads((run / self.file_name).read_text())
             same = {key: there.get(key) for key in self.question} == self.question
-            return there if same and [o["seed"] for o in there["outcomes"]] == list(seeds) else None
-        except (OSError, ValueError, KeyError, AttributeError):  # none, or a damaged one
+            return there if same and all("seed" in o for o in there["outcomes"]) else None
+        except (OSError, ValueError, KeyError, AttributeError, TypeError):  # none, or a damaged one
             return None
 
     @property
@@ -114,8 +119,13 @@ class EvalReport:
 
     def write(self, run: Path) -> None:
         """`RUN/evaluation-<states>[+<conditions>][+<component>][+seed-<n>].json` with everything, the outcomes beside it as
-        `.jsonl`."""
+        `.jsonl`. One of the same question that has these outcomes and more stays as it is."""
         path = run / self.file_name
-        write_whole(path.with_suffix(".jsonl"), self.lines.encode())
-        write_json(path, self.as_dict())
+        if not (self._is_part_of(path.with_suffix(".jsonl")) and self._known(run)):
+            write_whole(path.with_suffix(".jsonl"), self.lines.encode())
+            write_json(path, self.as_dict())
         path.with_suffix(UNFINISHED).unlink(missing_ok=True)
+
+    def _is_part_of(self, lines: Path) -> bool:
+        """Whether that file begins with these outcomes."""
+        return lines.exists() and lines.read_text(errors="replace").startswith(self.lines)
