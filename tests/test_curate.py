@@ -148,6 +148,7 @@ def test_numbers_that_make_no_rule_are_refused(store: EpisodeStore) -> None:
         {"validation_share": nan}, {"validation_share": 7.0}, {"validation_share": -1.0}, {"seed": -1}, {"validation_episodes": -1},
         {"max_length_sd": nan}, {"max_tracking_error": nan}, {"workspace_min": (nan, 0.0, 0.0)},
     )  # fmt: skip
+    CurationConfig(workspace_min=(0.2, -np.inf, 0.0))  # open on a side
     for wrong in rules:
         with pytest.raises(OptimusError):
             CurationConfig(**wrong)

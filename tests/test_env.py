@@ -1,5 +1,6 @@
 """The environment: Gymnasium's own checker, determinism, restarts, control."""
 
+import threading
 from dataclasses import replace
 
 import gymnasium
@@ -146,7 +147,23 @@ def test_cameras_that_cannot_see_are_refused() -> None:
     for eye, target, fovy in (((0, 0, 1), (0, 0, 1), 45), ((0, 0, np.nan), (0, 0, 0), 45), ((0, 0, 1), (0, 0, 0), 0)):
         with pytest.raises(ModelError, match="camera 'mine'"):
             Camera("mine", eye, target, fovy)
-    with pytest.raises(ModelError, match="camera 'agentview' of its own"):
+    with pytest.raises(ModelError, match="'agentview' there is more than one camera"):
         ManipulationEnv(task("stack"), cameras=[Camera("agentview", (1, 0, 1), (0, 0, 0))])
     with pytest.raises(UnknownNameError, match="agentview"):
         ManipulationEnv(task("stack"), cameras=["sideview"])
+
+
+def test_every_thread_draws_with_a_context_of_its_own() -> None:
+    seen: list[np.ndarray] = []
+
+    def draw() -> None:
+        seen.append(ManipulationEnv(task("stack"), cameras=["agentview"]).reset(seed=1)[0]["agentview_image"])
+
+    draw()
+    for thread in (threading.Thread(target=draw), threading.Thread(target=draw)):
+        thread.start()
+        thread.join()
+    draw()
+    assert len(seen) == 4
+    for image in seen[1:]:
+        np.testing.assert_array_equal(image, seen[0])

@@ -164,3 +164,17 @@ def test_no_object_is_named_as_a_category_or_replaces_what_is_none(tmp_path: Pat
     with pytest.raises(StorageError, match="not an object"):
         store.save(thing, tmp_path / "precious", b"")
     assert (tmp_path / "precious" / "thesis.txt").read_text() == "all of it"
+
+
+def test_what_is_added_changes_no_category_and_what_is_damaged_no_other_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A dataset says `pick-place@mug`: that has to mean the same mugs everywhere."""
+    monkeypatch.setenv("OPTIMUS_OBJECTS", str(tmp_path))
+    mugs = catalogue.keys_of("mug")
+    records = {"mine": '{"format": 1, "category": "mug"}', "cup": '{"format": 1, "category": "own"}', "broken": "{"}
+    for name, record in records.items():
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "object.json").write_text(record)
+    assert catalogue.keys_of("mug") == mugs and list(catalogue.keys_of("own")) == ["cup"]
+    assert list(catalogue.keys_of("mug-4,mine")) == ["mug-4", "mine"]

@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import torch
 from matplotlib.image import imread
 
 from optimus.conditions import Conditions
-from optimus.errors import DatasetError, UnknownNameError
+from optimus.errors import DatasetError, OptimusError, UnknownNameError
 from optimus.learn import checkpoint
 from optimus.learn.presets import PRESETS
 from optimus.learn.shrink import shrink
@@ -250,3 +251,23 @@ def test_a_shrunk_policy_is_half_as_large_and_answers_alike(taught: tuple[Path, 
     a, b = (dict(checkpoint.load(p).named_parameters()) for p in (taught[1], tmp_path / "small"))
     for name, weight in a.items():
         assert (weight - b[name]).abs().max() <= 2**-8 * weight.abs().max()
+
+
+def test_what_cannot_be_leaves_no_folder(tmp_path: Path) -> None:
+    with pytest.raises(OptimusError, match="seed"):
+        Site("table-b2", tmp_path / "a", budget("smoke"), seed=-1)
+    if not torch.cuda.is_available():
+        with pytest.raises(OptimusError, match="no GPU"):
+            reproduce(Site("table-b2", tmp_path / "b", replace(budget("smoke"), device="cuda")), ["PickPlace"], ["OPTIMUS"])
+    assert list(tmp_path.iterdir()) == []
+    site = Site("table-b2", tmp_path / "c", budget("smoke"))
+    site.open()
+    with pytest.raises(DatasetError, match=r"budget's demonstrations = \d+, not 7; name another"):
+        Site("table-b2", tmp_path / "c", replace(budget("smoke"), demonstrations=7)).open()
+    (tmp_path / "c" / "reproduce.json").write_text("{")
+    with pytest.raises(DatasetError, match="cannot read"):
+        site.open()
+    (tmp_path / "d").mkdir()
+    (tmp_path / "d" / "dataset.json").write_text("{}")
+    with pytest.raises(DatasetError, match="holds a dataset"):
+        Site("table-b2", tmp_path / "d", budget("smoke")).open()

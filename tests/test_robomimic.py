@@ -31,6 +31,7 @@ from optimus.learn import metrics
 from optimus.learn.train import TrainConfig, train
 from optimus.rerender import RenderConfig, rerender
 from optimus.robots.catalogue import robot
+from optimus.scene import Camera
 from optimus.tasks import task as task_named
 from synthetic import CAMERAS, make_dataset, make_episode
 
@@ -304,9 +305,18 @@ def test_the_file_says_how_its_environment_is_made(tmp_path: Path) -> None:
         assert env.world.scene.robot.name == ("ur5e" if config.robot else "panda")
 
 
-def test_distances_are_pictures_of_one_channel(taught: tuple[Path, Path], tmp_path: Path) -> None:
-    seen = rerender(taught[0], tmp_path / "depth", RenderConfig(("agentview",), size=16, depth=True), workers=1)
+def test_the_files_environment_shows_what_was_rendered_and_distances_are_pictures(
+    taught: tuple[Path, Path], tmp_path: Path
+) -> None:
+    aside = Camera("aside", (1.2, 0.6, 0.5), (0.5, 0.0, 0.0))
+    seen = rerender(taught[0], tmp_path / "depth", RenderConfig(("agentview",), (aside,), size=16, depth=True), workers=1)
     export_robomimic(seen.path, tmp_path / "depth.hdf5")
     with h5py.File(tmp_path / "depth.hdf5") as file:
+        told = json.loads(str(file["data"].attrs["env_args"]))
         depth = file["data/demo_0/obs/agentview_depth"]
         assert isinstance(depth, h5py.Dataset) and depth.shape[1:] == (16, 16, 1)
+    spaces = gymnasium.make(told["env_name"], **told["env_kwargs"]).observation_space
+    assert {name: spaces[name].shape for name in spaces if name.endswith("_image")} == {  # type: ignore[index, attr-defined]
+        "agentview_image": (16, 16, 3),
+        "aside_image": (16, 16, 3),
+    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
@@ -49,9 +50,14 @@ STAYS = 0.03
 """How far a thing may come away from its start until it is at rest [m]."""
 
 
-@lru_cache(maxsize=8)
-def _rig(world: World, size: int) -> Rig:
-    return Rig(world, size)
+class _Rigs(threading.local):
+    """The renderers of this thread: a GL context belongs to the one that made it."""
+
+    def __init__(self) -> None:
+        self.of = lru_cache(maxsize=8)(Rig)
+
+
+_RIGS = _Rigs()
 
 
 class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
@@ -83,6 +89,8 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.gripper, self._worlds = gripper, worlds
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self.positions, self.image_size = positions, image_size
+        if isinstance(cameras, str):
+            raise UnknownNameError("list of cameras", cameras, [f"[{cameras!r}]"])
         self._views = tuple(camera for camera in cameras or () if isinstance(camera, Camera))
         self._seen_by = None if cameras is None else tuple(c.name if isinstance(c, Camera) else c for c in cameras)
         self.control = require_control(control)
@@ -215,7 +223,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 seen[DOOR_ANGLES] = self.data.qpos[sorted(self.world.door_qpos.values())].astype(np.float32)
         if self.images:
             began = time.process_time()
-            rig = _rig(self.world, self.image_size)
+            rig = _RIGS.of(self.world, self.image_size)
             for camera in self.image_cameras:
                 seen[camera + IMAGE_SUFFIX] = rig.image(self.data, camera)
             self.cpu["rendering"] += time.process_time() - began
@@ -249,7 +257,7 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def picture(self, size: int) -> NDArray[np.uint8]:
         """The people's view, `(size, size, 3)`."""
-        return _rig(self.world, size).view(self.data, self.task.people_camera)
+        return _RIGS.of(self.world, size).view(self.data, self.task.people_camera)
 
     def close(self) -> None:
-        """Nothing to do: renderers are shared between environments and end with the process."""
+        """Nothing to do: renderers are shared between environments and end with the thread."""

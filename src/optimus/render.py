@@ -17,7 +17,7 @@ from optimus.world import World
 
 
 class Rig:
-    """One off-screen renderer for a world. The GL context belongs to the process that made it."""
+    """One off-screen renderer for a world. The GL context belongs to the thread that made it."""
 
     def __init__(self, world: World, height: int, width: int | None = None, shadows: bool = False) -> None:
         self.world = world

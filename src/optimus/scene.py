@@ -135,7 +135,7 @@ class Scene:
             raise ModelError(f"a scene's things have names of their own; of one name there is more than one: {', '.join(twice)}")
         eyes = Counter([WRIST_CAMERA, *(c.name for c in self.cameras)])
         if twice := sorted(name for name, times in eyes.items() if times > 1):
-            raise ModelError(f"the scene has a camera {twice[0]!r} of its own; name the new view otherwise")
+            raise ModelError(f"of the name {twice[0]!r} there is more than one camera; name the new one otherwise")
         for fixture in self.fixtures:
             if fixture.door is not None and fixture.door not in (doors := [door.name for door in self.doors]):
                 raise ModelError(f"{fixture.name} is behind the door {fixture.door}; the scene's are {', '.join(doors) or 'none'}")

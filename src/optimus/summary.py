@@ -68,7 +68,7 @@ def summary_of(folder: Path) -> ReportData:
     found = [_read(path) for path in sorted(folder.glob("evaluation-*.json"))]
     evaluations = [_evaluation(e) for e in found]
     return ReportData(
-        title=f"{folder.name}: a policy for {trained['task']}",
+        title=f"{folder.resolve().name}: a policy for {trained['task']}",
         task=trained["task"],
         command=f"optimus train DATASET --out {folder}",
         config={"policy": trained["policy"], "training": trained["train"]},
@@ -81,9 +81,12 @@ def summary_of(folder: Path) -> ReportData:
 
 def _read(file: Path) -> dict[str, Any]:
     try:
-        return json.loads(file.read_text())
-    except (OSError, ValueError) as error:
+        found: dict[str, Any] = json.loads(file.read_text())
+        if missing := {"interval", "outcomes", "successes", "episodes", "states", "paper_rule_successes", "failures"} - set(found):
+            raise ValueError(f"it lacks {', '.join(sorted(missing))}")
+    except (OSError, ValueError, TypeError) as error:
         raise DatasetError(f"cannot read {file} ({error}); evaluate again, or remove it") from error
+    return found
 
 
 def _record(folder: Path) -> RunRecord:

@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
 from importlib import resources
@@ -76,12 +77,11 @@ def keys_of(objects: str) -> dict[str, str]:
     if Path(objects).is_dir() and folders_in(Path(objects)):
         return {name: str(path) for name, path in folders_in(Path(objects)).items()}
     known = [*LIBRARY, *added()]
-    categories = by_category()
     found: list[str] = []
     for name in objects.split(","):
         if name in known:
             found.append(name)
-        elif name in categories:
+        elif name in (categories := by_category()):
             found += categories[name]
         else:
             raise UnknownNameError("object", name, [*SETS, *sorted(categories), *known])
@@ -89,12 +89,15 @@ def keys_of(objects: str) -> dict[str, str]:
 
 
 def by_category() -> dict[str, list[str]]:
-    """The names of the objects of each category: the library's, then the user's own."""
+    """The names of the objects of each category of the library, which are the same everywhere, and of the user's others."""
     found: dict[str, list[str]] = {}
     for blueprint in LIBRARY.values():
         found.setdefault(blueprint.category, []).append(blueprint.name)
+    fixed = set(found)
     for name, folder in added().items():
-        found.setdefault(store.record(folder)["category"], []).append(name)
+        with suppress(AssetError):  # a damaged one is complained of when it is asked for
+            if (category := store.record(folder).get("category", "own")) not in fixed:
+                found.setdefault(category, []).append(name)
     return found
 
 

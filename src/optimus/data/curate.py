@@ -6,6 +6,7 @@ The rules, in the order in which one of them becomes an episode's reason: `RULES
 from __future__ import annotations
 
 import json
+import math
 from collections import Counter
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -18,7 +19,7 @@ from optimus.data.episode import MISHAP, RECEPTACLE, VIEWS
 from optimus.data.episode_file import EpisodeHeader
 from optimus.data.frustum import in_view
 from optimus.data.store import EpisodeStore
-from optimus.errors import DatasetError, require_at_least, require_below_one, require_finite
+from optimus.errors import DatasetError, require_at_least, require_below_one
 
 CURATION_FILE = "curation.json"
 
@@ -58,7 +59,7 @@ class CurationConfig:
         require_below_one(validation_share=self.validation_share)
         for corner in filter(None, (self.workspace_min, self.workspace_max)):
             for number in corner:
-                require_finite(workspace=number)
+                require_at_least(-math.inf, workspace=number)  # a box may be open on a side
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.data.atomic import require_free, written_aside
-from optimus.data.episode import DEPTH_SUFFIX, IMAGE_SUFFIX
+from optimus.data.episode import DEPTH_SUFFIX, IMAGE_SUFFIX, RENDERED
 from optimus.data.episode_file import EpisodeHeader, read_episode
 from optimus.data.store import installed_versions
 from optimus.env import ManipulationEnv
@@ -129,6 +129,9 @@ def _env_args(selection: Selection, env: ManipulationEnv | None) -> dict[str, An
         return foreign
     version = installed_versions()["optimus-tamp"]
     how = {"control": store.control, **{key: store.config[key] for key in ("robot", "gripper") if key in store.config}}
+    if RENDERED in store.config and store.cameras:
+        views = {view["name"]: view for view in store.views}
+        how |= {"image_size": store.config[RENDERED]["size"], "cameras": [views.get(c, c) for c in store.cameras]}
     return {"env_name": name, "type": GYM_TYPE, "env_kwargs": {**task, **how}, "env_version": version}
 
 

@@ -20,7 +20,7 @@ from typing import Any
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
 from optimus.learn.ranks import device_kind
-from optimus.reproduce.site import Site, commit, machine
+from optimus.reproduce.site import Site, commit, machine, read_json
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.work import PolicyWork
 from optimus.reproduce.write import write_table
@@ -43,6 +43,7 @@ def reproduce(site: Site, rows: Sequence[str] = (), columns: Sequence[str] = ())
         for name in asked:
             if name not in valid:
                 raise UnknownNameError(kind, name, valid)
+    device_kind(site.budget.device)  # one that is not there is said before anything is written
     site.open()
     make_folder(site.out / "cells")
     chosen = [c for c in table.cells if (not rows or c.row in rows) and (not columns or c.column in columns)]
@@ -113,7 +114,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     """The cell, with its measurements."""
     path = _file(site, cell)
     if path.exists():
-        return json.loads(path.read_text())
+        return read_json(path)
     of, own = commit(), replace(site, cell=cell.name)
     measured = cell.work.do(own)
     result = {

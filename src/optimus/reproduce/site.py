@@ -17,8 +17,8 @@ from typing import Any
 import torch
 
 from optimus.data.atomic import make_folder, write_json
-from optimus.data.store import installed_versions
-from optimus.errors import DatasetError
+from optimus.data.store import installed_versions, require_no_dataset
+from optimus.errors import DatasetError, require_at_least
 from optimus.reproduce.budget import Budget
 
 StageProgress = Callable[[str, int, int, dict[str, str]], None]
@@ -45,17 +45,19 @@ class Site:
     cell: str = ""
     """For which cell of the table the work is."""
 
+    def __post_init__(self) -> None:
+        require_at_least(0, seed=self.seed, workers=self.workers)
+
     def open(self) -> None:
-        """Make the folder, or go on in it; `DatasetError` if it was begun with something else."""
+        """Make the folder, or go on in it; `DatasetError` if it was begun with something else, or holds a dataset."""
+        require_no_dataset(self.out)
         path = self.out / "reproduce.json"
         asked = {"table": self.table, "budget": json.loads(json.dumps(asdict(self.budget))), "seed": self.seed}
         if path.exists():
-            self.record = json.loads(path.read_text())
+            self.record = read_json(path)
             self.record["asked"]["budget"] = _said_of_all(self.record["asked"]["budget"], asked["budget"])
-            for key, wanted in asked.items():
-                if self.record["asked"].get(key) != wanted:
-                    have = self.record["asked"].get(key)
-                    raise DatasetError(f"{self.out} was begun with {key} = {have!r}, not {wanted!r}; name another folder")
+            for key, (have, wanted) in _differing(self.record["asked"], asked):
+                raise DatasetError(f"{self.out} was begun with {key} = {have!r}, not {wanted!r}; name another folder")
             return
         make_folder(self.out)
         self.record = {"asked": asked, "versions": installed_versions(), "machine": machine(), "seconds": {}}
@@ -82,6 +84,24 @@ class Site:
             by_cell = self.record.get("seconds_by_cell", {})
             seconds = by_cell.get(self.cell, 0.0) if self.cell else sum(self.record["seconds"].values())
         return seconds / 3600
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """A file of a reproduction; `DatasetError` if it is damaged."""
+    try:
+        return dict(json.loads(path.read_text()))
+    except (OSError, ValueError, TypeError) as error:
+        raise DatasetError(f"cannot read {path} ({error}); remove it: what it says is found again") from error
+
+
+def _differing(have: dict[str, Any], wanted: dict[str, Any]) -> Iterator[tuple[str, tuple[Any, Any]]]:
+    """Each setting that is another one now, with what it was and is."""
+    for key, value in wanted.items():
+        there = have.get(key)
+        if isinstance(value, dict) and isinstance(there, dict):
+            yield from ((f"{key}'s {inner}", pair) for inner, pair in _differing(there, value))
+        elif there != value:
+            yield key, (there, value)
 
 
 def _said_of_all(recorded: dict[str, Any], now: dict[str, Any]) -> dict[str, Any]:
