@@ -219,6 +219,6 @@ def test_sets_of_objects() -> None:
 @pytest.mark.parametrize("name", ["pick-place", "pick-place-two", "shelf", "microwave"])
 def test_tasks_are_done_with_other_objects(name: str) -> None:
     env = ManipulationEnv(task(f"{name}@can-1,jar-1"), images=False)
-    attempts = [demonstrate(env, seed, ExpertConfig(check=True)) for seed in (2, 5)]
-    assert [a.failure for a in attempts] == ["", ""]
-    assert all(set(str(a.info["variant"]).split("+")) <= {"can-1", "jar-1"} for a in attempts)
+    attempt = demonstrate(env, 2, ExpertConfig(check=True))
+    assert attempt.failure == ""
+    assert set(str(attempt.info["variant"]).split("+")) <= {"can-1", "jar-1"}

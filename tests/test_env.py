@@ -22,10 +22,10 @@ from optimus.tasks import TASKS, task
 from optimus.world import compile_scene
 
 
-@pytest.mark.parametrize("name", TASKS)
+@pytest.mark.parametrize("name", ["stack", "pick-place-two", "shelf-receptacle", "microwave-adapt"])
 @pytest.mark.filterwarnings("error")
 def test_gymnasium_finds_nothing_to_say(name: str) -> None:
-    assert optimus.__version__
+    assert optimus.__version__ and all(gym_id(other) in gymnasium.registry for other in TASKS)
     check_env(gymnasium.make(gym_id(name)).unwrapped, skip_render_check=True)
 
 

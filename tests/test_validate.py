@@ -42,9 +42,8 @@ def kinds(env: ManipulationEnv, plan: Plan) -> set[str]:
 
 
 @pytest.mark.parametrize("name", SOLVED)
-@pytest.mark.parametrize("seed", range(2))
-def test_the_planner_s_own_plans_are_valid(name: str, seed: int) -> None:
-    env, plan = planned(name, seed)
+def test_the_planner_s_own_plans_are_valid(name: str) -> None:
+    env, plan = planned(name, 0)  # as all those are of `test_planner.plan_for`
     assert validate(plan, env.world.scene, env.problem.goal) == []
 
 

@@ -91,7 +91,8 @@ def test_labels_near_a_change_of_the_gripper_weigh_more(store: EpisodeStore) -> 
 def test_episodes_that_do_not_fit_together_are_named(store: EpisodeStore, tmp_path: Path) -> None:
     other = EpisodeStore.create(tmp_path, "square", ("front",), {})
     other.write(make_episode(0, cameras=("front",)))
-    other.write(make_episode(1, cameras=("front",), objects=np.zeros((20, 2, 3), np.float32)))
+    two = {"objects": np.zeros((20, 2, 3), np.float32), "object_names": ("square", "circle")}
+    other.write(make_episode(1, cameras=("front",), **two))
     with pytest.raises(DatasetError, match=r"00000001\.safetensors: objects has shape \(2, 3\)"):
         Windows(other, [0, 1], WindowConfig())
     with pytest.raises(DatasetError, match="no episodes"):
