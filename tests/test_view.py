@@ -21,6 +21,7 @@ pytest.importorskip("viser", reason="the viewer is served by viser: pip install 
 from browser import SCREENSHOTS, keep, page, requires_no_sideways_scrolling
 from optimus.collect import CollectConfig, collect
 from optimus.data.curate import curate
+from optimus.data.episode import MISHAP
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, plan_for
 from optimus.env import ManipulationEnv
@@ -279,6 +280,7 @@ def test_an_episode_without_images_is_seen_as_it_was_whatever_happened_in_it(tmp
     try:
         shown = view.shown
         assert isinstance(shown, EpisodeView) and shown.picture is None
+        assert {store.header(seed).info[MISHAP]["kind"] for seed in store.seeds} & {"push", "slip"}
         for seed in store.seeds:
             shown.load(seed)
             states = store.read(seed).states

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from inspect import signature
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -51,8 +52,8 @@ def objects(
         meshes: with acronym: the folder that the grasp files' meshes lie in
     """
     told = {"name": name, "category": category, "mass": mass, "density": density, "scale": scale, "up": up}
-    usual = {"name": None, "category": "own", "mass": None, "density": None, "scale": 1.0, "up": "auto"}
-    if do in ("list", "remove") and (senseless := [f"--{option}" for option in told if told[option] != usual[option]]):
+    usual = signature(objects).parameters
+    if do in ("list", "remove") and (senseless := [f"--{name}" for name, said in told.items() if said != usual[name].default]):
         raise OptimusError(f"objects {do} takes no {', '.join(senseless)}: say it with add")
     if do == "list":
         _list(what, out, workers, json)

@@ -46,9 +46,7 @@ class EpisodeView:
         self.player = Player(server, self._show)
         gui = server.gui
         seeds = tuple(map(str, store.seeds))
-        first = seeds[0] if seed is None else str(seed)
-        if first not in seeds:
-            raise DatasetError(f"{store.path} holds no episode {seed}; it holds {', '.join(seeds)}")
+        first = seeds[0] if seed is None else str(store.header(seed).seed)  # which says what there is instead
         self._chosen = gui.add_dropdown("episode", seeds, initial_value=first, hint="by its seed")
         self._facts = gui.add_html("")
         self._picture = gui.add_image(blank(store.cameras), label=" | ".join(store.cameras)) if store.cameras else None

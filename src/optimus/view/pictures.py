@@ -19,7 +19,7 @@ def blank(cameras: Sequence[str]) -> NDArray[np.uint8]:
 
 
 def side_by_side(observation: Observation, cameras: Sequence[str]) -> NDArray[np.uint8]:
-    """The cameras' images `(h, w, 3)` beside one another, each pixel as it is, some times as large: the policy sees no more."""
+    """The cameras' images `(h, w, 3)` beside one another, enlarged by a whole number: the policy sees no more."""
     row = np.concatenate([observation[camera + IMAGE_SUFFIX] for camera in cameras], axis=1)
     times = max(1, HEIGHT // row.shape[0])
     return row.repeat(times, axis=0).repeat(times, axis=1)
