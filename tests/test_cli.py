@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,10 @@ def test_tasks_and_help() -> None:
     for verb in ("show", "collect", "dataset", "export", "import", "train", "evaluate", "export-policy", "run", "bench"):
         done = optimus(verb, "--help")
         assert done.returncode == 0 and "optimus " + verb in done.stdout and "Try:" in done.stdout
+
+
+def test_it_says_which_version_it_is() -> None:
+    assert optimus("--version").stdout == f"optimus {version('optimus-tamp')}\n"
 
 
 def test_help_names_the_ways_of_control() -> None:

@@ -8,6 +8,7 @@ import sys
 
 import tyro
 
+from optimus import __version__
 from optimus.cli.datasets import dataset
 from optimus.cli.demonstrations import collect, curate, imitability
 from optimus.cli.exchange import export, import_
@@ -32,7 +33,7 @@ VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA,
 
 DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
 
-Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars."""
+Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars; --version says which this is."""
 
 
 def main() -> None:
@@ -50,6 +51,9 @@ def main() -> None:
 
 def _main() -> None:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    if sys.argv[1:] == ["--version"]:
+        print(f"optimus {__version__}")
+        return
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:
             raise UnknownNameError("verb", sys.argv[1], VERBS)
