@@ -47,7 +47,7 @@ def test_the_figures_are_those_of_the_episodes(store: EpisodeStore) -> None:
     assert about.skeletons == {"pick place": 5, "push": 2} and about.failures == {"no plan": 2}
     assert about.objects == {"square": 5, "the red square": 2} and about.instructions == {"push <it>": 2}
     assert (about.perturbed, about.retried) == (2, 1) and about.cameras == dict.fromkeys(CAMERAS, (84, 84, 3))
-    assert sum(about.split.values()) == 5
+    assert sum(about.split.values()) == 7 and about.split["came after the curation"] == 2
     actions = np.concatenate([e.actions for e in episodes])
     for column, spread in zip(actions.T, about.actions, strict=True):
         assert spread.mean == pytest.approx(column.mean(), abs=1e-6) and spread.sd == pytest.approx(column.std(), abs=1e-6)

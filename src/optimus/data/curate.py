@@ -107,9 +107,14 @@ def curate(path: Path | str, config: CurationConfig | None = None) -> Curation:
     return curation
 
 
+def undecided(store: EpisodeStore, curation: Curation) -> set[int]:
+    """Seeds of the episodes of which the curation knows nothing: they came after it."""
+    return set(store.seeds) - {*curation.kept, *curation.dropped}
+
+
 def require_decided(store: EpisodeStore, curation: Curation) -> None:
     """`DatasetError` if there are episodes of which the curation knows nothing: they would be left out without a word."""
-    if new := set(store.seeds) - {*curation.kept, *curation.dropped}:
+    if new := undecided(store, curation):
         raise DatasetError(f"{store.path}: {len(new)} episodes came after its curation; curate it again")
 
 

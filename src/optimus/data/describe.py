@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.curate import CURATION_FILE, load_curation
+from optimus.data.curate import CURATION_FILE, load_curation, undecided
 from optimus.data.episode import IMAGE_SUFFIX, INSTRUCTION, MISHAP
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, require_finite
 from optimus.data.imitability import Imitability, imitability
@@ -77,7 +77,7 @@ class Description:
     mishaps: int
     """Episodes in which a thing was pushed or slipped."""
     split: dict[str, int] = field(default_factory=dict)
-    """Train, validation and, by reason, dropped; empty where the data set is not curated."""
+    """Train, validation, what came after the curation and, by reason, dropped; empty where the data set is not curated."""
     starts: dict[str, Coverage] = field(default_factory=dict)
     """By the name of the thing in the scene."""
     actions: tuple[ActionSpread, ...] = ()
@@ -158,7 +158,8 @@ def _split(store: EpisodeStore) -> dict[str, int]:
         return {}
     curation = load_curation(store.path)
     dropped = _most_first(Counter(f"dropped: {_heading(reason)}" for reason in curation.dropped.values()))
-    return {"train": len(curation.train), "validation": len(curation.validation), **dropped}
+    new = {"came after the curation": n} if (n := len(undecided(store, curation))) else {}
+    return {"train": len(curation.train), "validation": len(curation.validation), **new, **dropped}
 
 
 def _coverage(places: NDArray[np.float64]) -> Coverage:
