@@ -4,9 +4,11 @@ import errno
 import os
 import shutil
 import subprocess
+import sys
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,6 +23,7 @@ from optimus.data.windows import WindowConfig, Windows
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, StorageError, UnknownNameError, WorkerError
+from optimus.rerender import RenderConfig, rerender
 from optimus.rollout import Perturbation
 from optimus.tasks import task
 from optimus.tasks.stack import STACK
@@ -170,6 +173,24 @@ def test_a_second_call_adds_to_the_first(tmp_path: Path) -> None:
     assert more.new == 1 and contents(tmp_path).items() > first.items()
     with pytest.raises(DatasetError, match="more than the 1"):
         collect(CollectConfig("pick-place", tmp_path, 1, workers=1))
+
+
+def test_an_edited_task_is_not_mixed_with_what_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mine = ModuleType("my_tasks")
+    monkeypatch.setitem(sys.modules, "my_tasks", mine)
+    mine.STACK = task("stack")  # type: ignore[attr-defined]
+    config = CollectConfig("my_tasks:STACK", tmp_path / "data", 1, workers=1, images=False)
+    collect(config)
+    before = contents(config.out)
+    mine.STACK = replace(task("stack"), draw=lambda rng: replace(task("stack").draw(rng), variant="edited"))  # type: ignore[attr-defined]
+    with pytest.raises(DatasetError, match="has been edited"):
+        collect(replace(config, episodes=2))
+    with pytest.raises(DatasetError, match="has been edited"):
+        rerender(config.out, tmp_path / "rendered", RenderConfig(), workers=1)
+    assert contents(config.out) == before and not (tmp_path / "rendered").exists()
+    mine.STACK = replace(task("stack"), summary="in other words")  # type: ignore[attr-defined]
+    assert collect(replace(config, episodes=2)).new == 1
+    assert rerender(config.out, tmp_path / "rendered", RenderConfig(), workers=1).problems == EpisodeStore.open(config.out).problems
 
 
 def test_bad_input_is_named_and_harms_nothing(tmp_path: Path) -> None:

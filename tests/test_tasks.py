@@ -1,7 +1,9 @@
 """Every task: its starts are what the paper says, and the expert's plans are valid and succeed in physics."""
 
 import sys
+from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from types import ModuleType
 
 import numpy as np
@@ -16,9 +18,11 @@ from optimus.logic import Atom
 from optimus.motion.plan import Infeasible
 from optimus.objects.shapes import slab
 from optimus.planner import solve
-from optimus.predicates import Clear, Holding, Open, facts_of
+from optimus.predicates import Clear, Holding, Open, Released, facts_of
+from optimus.robots import PANDA
 from optimus.scene import Fixture
 from optimus.skills import Workspace
+from optimus.task import Problem
 from optimus.tasks import task
 from optimus.world import compile_scene
 
@@ -121,6 +125,31 @@ def test_a_task_of_ones_own_is_called_what_leads_back_to_it(monkeypatch: pytest.
         task("mine_module:NUMBER")
     with pytest.raises(OptimusError, match="horizon"):
         replace(found, horizon=0)
+
+
+def test_a_fingerprint_is_of_what_is_drawn_and_of_the_robots_file_wherever_it_lies(tmp_path: Path) -> None:
+    stack = task("stack")
+    model, copy = (tmp_path / name / "arm.xml" for name in ("a", "b"))
+    for path in (model, copy):
+        path.parent.mkdir()
+        path.write_text("<mujoco/>")
+    arms = [replace(PANDA, source=str(path)) for path in (model, copy)]
+    of_files = [stack.fingerprint(3, arm) for arm in arms]
+    assert of_files[0] == of_files[1] and stack.fingerprint(3) == stack.fingerprint(3, PANDA)
+    copy.write_text("<mujoco></mujoco>")
+
+    def drawn(edit: Callable[[Problem], Problem]) -> str:
+        return replace(stack, draw=lambda rng: edit(stack.draw(rng))).fingerprint(3)
+
+    edits = [
+        drawn(lambda p: replace(p, poses={**p.poses, "cubeA": p.poses["cubeA"].shifted((1e-6, 0.0, 0.0))})),
+        drawn(lambda p: replace(p, goal=p.goal - {Released("cubeA")})),
+        drawn(lambda p: replace(p, scene=replace(p.scene, fixtures=(replace(p.scene.fixtures[0], yaw=1e-6),)))),
+        stack.fingerprint(3, replace(PANDA, camera_fovy=70.0)),
+        stack.fingerprint(3, arms[1]),
+        stack.fingerprint(4),
+    ]
+    assert len({stack.fingerprint(3), of_files[0], *edits}) == 8
 
 
 @pytest.mark.parametrize(("goal", "rises"), [(Clear("cubeB"), "cubeA"), (Holding("cubeA"), "cubeA")])

@@ -177,7 +177,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
         about["gripper"] = config.expert.law.gripper
     if config.turns is not None:
         about["turns"] = config.turns.record
-    return EpisodeStore.create(config.out, task.name, cameras, about)
+    return EpisodeStore.create(config.out, task.name, cameras, about, task.fingerprint(config.seed, config.robot))
 
 
 def collect(config: CollectConfig, progress: Callable[[Tally], None] = lambda tally: None) -> Collected:

@@ -94,12 +94,14 @@ def rerender(
         raise DatasetError(f"{out} is the dataset to render from; name another folder: datasets are never rewritten")
     if not store.seeds:
         raise DatasetError(f"{source} holds no episodes; collect some")
-    robot = _robot_of(store, robot)
-    known = compile_scene(task_named(store.task).problem(store.seeds[0], robot).scene).image_cameras
+    robot, task = _robot_of(store, robot), task_named(store.task)
+    if store.problems:
+        store.require_problems(task.fingerprint(store.config["seed"], robot))
+    known = compile_scene(task.problem(store.seeds[0], robot).scene).image_cameras
     about = {k: v for k, v in store.config.items() if k != RENDERED}
     if not config.is_plain(known):
         about[RENDERED] = asdict(config)
-    made = EpisodeStore.create(out, store.task, config.of(known), about)
+    made = EpisodeStore.create(out, store.task, config.of(known), about, store.problems)
     missing = sorted(set(store.seeds) - set(made.seeds))
     done = len(store.seeds) - len(missing)
     progress(done, len(store.seeds))

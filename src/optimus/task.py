@@ -10,6 +10,7 @@ import numpy as np
 
 from optimus.data.episode import TASKS_OWN
 from optimus.errors import ModelError, require_at_least
+from optimus.fingerprint import fingerprint
 from optimus.goals import require_consistent
 from optimus.logic import Facts
 from optimus.objects.shapes import Shape
@@ -22,6 +23,9 @@ from optimus.words import instruction, names_in
 
 ROOM_TO_SPARE = 0.007
 """Between the open fingers, beyond the thing between them [m]: with 4 mm they get stuck on a cup, with 8 mm they do not."""
+
+_FINGERPRINTED = 12
+"""Problems."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +142,11 @@ class Task:
         if not isinstance(problem, Problem):
             raise ModelError(f"{self.name}: `draw` gives a {type(problem).__name__}, where a Problem is wanted")
         return problem if robot is None else replace(problem, scene=replace(problem.scene, robot=robot))
+
+    def fingerprint(self, seed: int, robot: Robot | None = None) -> str:
+        """Sixteen hexadecimal digits that are others once what is drawn for the first few seeds from `seed` on has been edited: the
+        task, the robot's file or an object."""
+        return fingerprint([self.problem(seed + i, robot) for i in range(_FINGERPRINTED)])
 
 
 def pick_one(objects: Objects, rng: np.random.Generator) -> str:

@@ -33,7 +33,8 @@ VERBS = {f.__name__.rstrip("_").replace("_", "-"): f for f in (*_SEEING, *_DATA,
 
 DESCRIPTION = """From a manipulation task to curated demonstrations and a trained policy: one verb a stage, folders in, folders out.
 
-Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars; --version says which this is."""
+Every verb has a --help with examples; --quiet goes with every one and leaves out the progress bars.
+--version says which this is."""
 
 
 def main() -> None:
@@ -52,7 +53,7 @@ def main() -> None:
 def _main() -> None:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     if sys.argv[1:] == ["--version"]:
-        print(f"optimus {__version__}")
+        sys.stdout.write(f"optimus {__version__}\n")
         return
     try:
         if len(sys.argv) > 1 and not sys.argv[1].startswith("-") and sys.argv[1] not in VERBS:

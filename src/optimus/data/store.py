@@ -1,6 +1,6 @@
 """`EpisodeStore`: a dataset on disk, one write-once file an episode.
 
-    DIR/dataset.json                   format, task, cameras, collection settings, versions
+    DIR/dataset.json                   format, task, cameras, collection settings, versions, a fingerprint of what the task draws
     DIR/episodes/<seed>.safetensors    one successful episode: arrays, and the rest as JSON in the header
     DIR/failures/<seed>.json           an attempt that failed, with its reason; no images
 
@@ -47,15 +47,21 @@ class EpisodeStore:
         self.robot: str = self.config.get("robot", TASKS_OWN)
         self.views: tuple[dict[str, Any], ...] = tuple(self.config.get(RENDERED, {}).get(VIEWS, ()))
         self.versions: dict[str, str] = description.get("versions", {})
+        self.problems: str = description.get("problems", "")
+        """A fingerprint of what the task drew when the dataset was begun; empty where that is not known."""
 
     @classmethod
-    def create(cls, path: Path | str, task: str, cameras: Iterable[str], config: Mapping[str, Any]) -> EpisodeStore:
-        """A new dataset, or the one that is there if it was made for the same task with the same settings."""
+    def create(
+        cls, path: Path | str, task: str, cameras: Iterable[str], config: Mapping[str, Any], problems: str = ""
+    ) -> EpisodeStore:
+        """A new dataset, or the one that is there if it was made for the same task with the same settings, and the task still draws
+        the same `problems` (see `EpisodeStore.problems`)."""
         path = Path(path)
         wanted = {"task": task, "cameras": list(cameras), "config": json.loads(json.dumps(dict(config)))}
         if (path / DESCRIPTION).exists():
             store = cls.open(path)
             store._require_same(wanted)
+            store.require_problems(problems)
             return store
         if path.exists() and (not path.is_dir() or _strangers(path)):
             raise DatasetError(f"{path} is not empty and holds no dataset.json; name a new or empty folder")
@@ -66,6 +72,7 @@ class EpisodeStore:
             "version": VERSION,
             **wanted,
             "versions": installed_versions(),
+            **({"problems": problems} if problems else {}),
         }
         write_json(path / DESCRIPTION, description)
         return cls(path, description)
@@ -133,6 +140,14 @@ class EpisodeStore:
     def read(self, seed: int) -> Episode:
         """One episode with all its arrays."""
         return read_episode(self.header(seed))
+
+    def require_problems(self, problems: str) -> None:
+        """`DatasetError` if the dataset was begun with others, as far as that is known: episodes of both would be mixed."""
+        if problems and self.problems and problems != self.problems:
+            raise DatasetError(
+                f"what {self.task} draws for its seeds (places, objects, robot, goal) is not what it was when {self.path} was "
+                "begun: something of it has been edited; name another folder, or take the edit back"
+            )
 
     def _require_same(self, wanted: dict[str, Any]) -> None:
         have = {"task": self.task, "cameras": list(self.cameras), **self.config}
