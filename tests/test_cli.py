@@ -145,7 +145,11 @@ def test_a_preset_with_another_head_is_trained_and_exported(tmp_path: Path) -> N
     both = refused("train", str(data), "--out", str(run), "--minutes", "1", "--epochs", "2")
     assert "--minutes and --epochs each say how long" in both
     pytest.importorskip("onnxscript", reason="needs the extra `onnx`")
-    assert result_of("export-policy", str(run), "--onnx", str(tmp_path / "policy.onnx"))["bytes"] > 4 * result["parameters"]
+    onnx = tmp_path / "new" / "policy.onnx"
+    assert result_of("export-policy", str(run), "--onnx", str(onnx))["bytes"] > 4 * result["parameters"]
+    for there in (onnx, run / "model.safetensors"):
+        before = there.read_bytes()
+        assert "exists" in refused("export-policy", str(run), "--onnx", str(there)) and there.read_bytes() == before
 
 
 def test_show_writes_pictures(tmp_path: Path) -> None:

@@ -48,6 +48,16 @@ def test_the_code_on_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest
         exec(compile(block, name(page), "exec"), space)
 
 
+def test_demonstrations_written_by_hand_are_learned_from(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from optimus.data.curate import curate
+    from optimus.learn.train import TrainConfig, train
+
+    monkeypatch.chdir(tmp_path)
+    exec(compile(blocks(ROOT / "docs" / "use_other_demonstrations.md", "python")[0], "guide", "exec"), {"__name__": "guide"})
+    assert curate("data/mine").validation
+    train("data/mine", Path("run"), TrainConfig(steps=1))
+
+
 @pytest.fixture(scope="module")
 def trained(tmp_path_factory: pytest.TempPathFactory) -> Path:
     from optimus.collect import CollectConfig, collect

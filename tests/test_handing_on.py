@@ -112,7 +112,7 @@ def test_an_onnx_file_answers_as_torch_does(name: str, head: str | None, tmp_pat
     export_onnx(policy, tmp_path / "policy.onnx")
     session = runtime.InferenceSession(str(tmp_path / "policy.onnx"), providers=["CPUExecutionProvider"])
     about = session.get_modelmeta().custom_metadata_map
-    assert json.loads(about["optimus.inputs"])["cameras"] == list(CAMERAS)
+    assert json.loads(about["optimus.inputs"])["cameras"] == list(CAMERAS) and about["optimus.executed"] == "1"
     agent, tokens = PolicyAgent(policy, "likeliest"), np.full((config.context, config.trunk.token), 7, np.float32)
     for t, frame in enumerate(frames(make_episode(3, config.context + 3))):
         action, tokens, weights, means = session.run(None, {**frame, "tokens": tokens, "first": np.array(t == 0)})

@@ -102,6 +102,15 @@ def test_a_start_that_the_policy_has_learned_from_is_refused(tmp_path: Path) -> 
     assert {store.header(s).start for s in found.train} <= learned_starts(tmp_path / "on")
 
 
+def test_demonstrations_that_all_begin_alike_are_learned_from(tmp_path: Path) -> None:
+    """As those of a fixed start do, and imported ones whose states are placeholders."""
+    store = EpisodeStore.create(tmp_path / "data", "square", CAMERAS, {"position_scale": 1.0})
+    for seed in range(5):
+        store.write(make_episode(seed, 12, initial_state=np.zeros(1)))
+    assert curate(store.path).validation
+    train(store.path, tmp_path / "run", TrainConfig(steps=1), preset("quick-mlp").policy)
+
+
 def test_a_fresh_start_that_is_in_the_training_data_is_refused(tmp_path: Path) -> None:
     """Nothing keeps a dataset from seeds as high as those of trials."""
     data, run = tmp_path / "data", tmp_path / "run"

@@ -18,8 +18,9 @@ from PIL import Image
 
 from optimus.data.curate import curate, load_curation
 from optimus.data.store import EpisodeStore
-from optimus.errors import StorageError
+from optimus.errors import DatasetError, StorageError
 from optimus.exchange.lerobot import LerobotConfig, export_lerobot, statistics, tables
+from optimus.exchange.lerobot.write import MARKER
 from optimus.exchange.video import psnr
 from synthetic import CAMERAS, make_dataset, make_episode
 
@@ -81,9 +82,23 @@ def test_depth_is_no_number_of_the_state(tmp_path: Path) -> None:
         depth = {"front_depth": np.zeros((12, 8, 8), np.float32)}
         store.write(make_episode(seed, 12, observations={**episode.observations, **depth}))
     curate(store.path)
-    export_lerobot(store.path, tmp_path / "out", LerobotConfig(images=True))
+    assert export_lerobot(store.path, tmp_path / "out", LerobotConfig(images=True))["left_out"] == ["front_depth"]
     widths = {len(row["observation.state"]) for row in read(tmp_path / "out", "data")}
     assert widths == {sum(store.read(0).observations[name].shape[1] for name in STATE)}
+
+
+@pytest.mark.parametrize(("settings", "rate"), [(None, 20), ({"control_freq": None}, 20), ({"control_freq": 10.0}, 10)])
+def test_the_rate_is_that_of_the_demonstrations(settings: dict[str, Any] | None, rate: int, tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 2, 5, {"env_args": {"env_kwargs": settings}})
+    export_lerobot(store.path, tmp_path / "out", LerobotConfig(images=True, everything=True))
+    assert json.loads((tmp_path / "out" / MARKER).read_text())["fps"] == rate
+
+
+def test_a_rate_that_the_format_cannot_tell_is_refused(tmp_path: Path) -> None:
+    store = make_dataset(tmp_path / "data", 4, 12, {"env_args": {"env_kwargs": {"control_freq": 12.5}}})
+    with pytest.raises(DatasetError, match=r"12\.5 steps a second"):
+        export_lerobot(store.path, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
 
 
 def test_statistics_are_those_of_the_arrays(tmp_path: Path) -> None:

@@ -320,5 +320,9 @@ def test_an_observation_that_makes_no_sense_is_refused(policy: Policy) -> None:
     name = next(iter(PROPRIOCEPTION))
     with pytest.raises(CheckpointError, match=f"{name} holds NaN"):
         agent.act({**usual, name: np.full_like(usual[name], np.nan)})
+    for wrong in ("abc", [[1.0], [1.0, 2.0]]):
+        with pytest.raises(CheckpointError, match=f"{name} is no array of numbers"):
+            agent.act({**usual, name: wrong})  # type: ignore[dict-item]
+    agent.reset(seed=np.int64(3))  # type: ignore[arg-type]
     with pytest.raises(UnknownNameError, match="unknown component 'wrong'; valid: continuous, likeliest, paper, sampled"):
         PolicyAgent(policy, "wrong")  # type: ignore[arg-type]

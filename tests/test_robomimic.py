@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,7 @@ from optimus.expert import TimeLaw
 from optimus.learn import metrics
 from optimus.learn.train import TrainConfig, train
 from optimus.rerender import RenderConfig, rerender
+from optimus.robots import PANDA
 from optimus.robots.catalogue import robot
 from optimus.scene import Camera
 from optimus.tasks import task as task_named
@@ -305,6 +307,38 @@ def test_the_file_says_how_its_environment_is_made(tmp_path: Path) -> None:
         assert env.world.scene.robot.name == ("ur5e" if config.robot else "panda")
 
 
+@pytest.mark.parametrize("controllers", [None, [{"type": "OSC_POSE"}] * 2, {"type": "OSC_POSE", "output_max": []}])
+def test_what_a_file_does_not_say_of_its_environment_is_not_needed(controllers: Any, tmp_path: Path) -> None:
+    _robosuite_like(tmp_path / "lift.hdf5", count=2)
+    told = controllers and {"controller_configs": controllers}
+    with h5py.File(tmp_path / "lift.hdf5", "a") as file:
+        file["data"].attrs["env_args"] = json.dumps({"env_name": "TwoArm", "env_kwargs": told})
+    import_robomimic(tmp_path / "lift.hdf5", tmp_path / "lift")
+    assert "position_scale" not in EpisodeStore.open(tmp_path / "lift").config
+
+
+def test_a_task_whose_module_is_not_here_is_still_named_as_it_is_made(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    store = EpisodeStore.create(tmp_path / "data", "elsewhere:TIDY", CAMERAS, {"control": "osc"})
+    store.write(replace(make_episode(0, 5), task=store.task))
+    said = export_robomimic(store.path, tmp_path / "d.hdf5")
+    assert said["models"] is False and "elsewhere" in caplog.text
+    with h5py.File(tmp_path / "d.hdf5") as file:
+        told = json.loads(str(file["data"].attrs["env_args"]))
+    assert told["env_name"] == "optimus/Task-v0" and told["env_kwargs"]["task"] == "elsewhere:TIDY"
+
+
+def test_with_its_robot_file_an_export_has_models_and_states(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    arm = replace(PANDA, name="my-arm")
+    collect(CollectConfig("stack", tmp_path / "data", 1, workers=1, images=False, robot=arm))
+    alone = export_robomimic(tmp_path / "data", tmp_path / "alone.hdf5")
+    assert (alone["models"], alone["states"]) == (False, True) and "my-arm" in caplog.text
+    assert export_robomimic(tmp_path / "data", tmp_path / "with.hdf5", RobomimicConfig(robot=arm))["models"] is True
+    with h5py.File(tmp_path / "with.hdf5") as file:
+        assert "<mujoco" in str(file["data/demo_0"].attrs["model_file"])
+    with pytest.raises(DatasetError, match="collected with robot my-arm"):
+        export_robomimic(tmp_path / "data", tmp_path / "other.hdf5", RobomimicConfig(robot=robot("ur5e")))
+
+
 def test_the_files_environment_shows_what_was_rendered_and_distances_are_pictures(
     taught: tuple[Path, Path], tmp_path: Path
 ) -> None:
@@ -315,6 +349,9 @@ def test_the_files_environment_shows_what_was_rendered_and_distances_are_picture
         told = json.loads(str(file["data"].attrs["env_args"]))
         depth = file["data/demo_0/obs/agentview_depth"]
         assert isinstance(depth, h5py.Dataset) and depth.shape[1:] == (16, 16, 1)
+    import_robomimic(tmp_path / "depth.hdf5", tmp_path / "back")
+    back = EpisodeStore.open(tmp_path / "back")
+    assert back.cameras == seen.cameras and back.config["rendered"]["depth"] is False, "distances are not taken"
     spaces = gymnasium.make(told["env_name"], **told["env_kwargs"]).observation_space
     assert {name: spaces[name].shape for name in spaces if name.endswith("_image")} == {  # type: ignore[index, attr-defined]
         "agentview_image": (16, 16, 3),

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from tyro.conf import Positional, arg
 
-from optimus.cli.options import Dataset, Json
+from optimus.cli.options import Dataset, Json, RobotName, chosen_robot
 from optimus.cli.output import bar, counted, say, table
 from optimus.errors import OptimusError
 
@@ -26,6 +26,7 @@ def export(
     compress: bool = False,
     next_obs: bool = True,
     states: bool = True,
+    robot: RobotName = None,
     json: Json = False,
 ) -> None:
     """Write a data set in another program's format: robomimic's HDF5 file, or LeRobot's folder (LeRobotDataset v3.0).
@@ -55,19 +56,20 @@ def export(
             raise OptimusError(f"{wrong[0]} goes with `export {target}` alone")
     if crf is not None and not 0 <= crf <= 51:
         raise OptimusError(f"--crf is 0 to 51, not {crf}")
+    arm = chosen_robot(robot)
     with bar(None, f"export {to}", "episode") as shown:
         progress = counted(shown)
         if to == "robomimic":
             from optimus.exchange.robomimic import RobomimicConfig, export_robomimic
 
-            result = export_robomimic(dataset, out, RobomimicConfig(all, states, next_obs, compress, overwrite), progress)
+            result = export_robomimic(dataset, out, RobomimicConfig(all, states, next_obs, compress, overwrite, arm), progress)
         else:
             try:
                 from optimus.exchange.lerobot import LerobotConfig, export_lerobot
             except ImportError as error:
                 raise OptimusError(f"{error}; LeRobot's format needs `pip install optimus-tamp[exchange]`") from error
             quality = LerobotConfig.crf if crf is None else crf
-            result = export_lerobot(dataset, out, LerobotConfig(all, images, quality, overwrite), progress)
+            result = export_lerobot(dataset, out, LerobotConfig(all, images, quality, overwrite, arm), progress)
     say(result, json, table(result))
 
 

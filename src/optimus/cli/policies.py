@@ -105,7 +105,7 @@ def evaluate(
     say({"run": str(run), **said}, json, text if checkpoint == "both" else text.partition(": ")[2])
 
 
-def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
+def export_policy(run: RunFolder, onnx: Path, overwrite: bool = False, json: Json = False) -> None:
     """Write a policy as one ONNX file: an observation in, an action out, crops and normalisation inside.
 
     Try:
@@ -113,11 +113,15 @@ def export_policy(run: RunFolder, onnx: Path, json: Json = False) -> None:
 
     Args:
         onnx: the file to write
+        overwrite: replace the file that is there already
     """
+    from optimus.data.atomic import make_folder, require_free
     from optimus.learn import checkpoint
     from optimus.learn.onnx_file import export_onnx
     from optimus.pretrained import run_folder
 
+    require_free(onnx, overwrite)
+    make_folder(onnx.parent)
     export_onnx(checkpoint.load(run_folder(run)), onnx)
     say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 

@@ -31,8 +31,9 @@ from optimus.data.store import installed_versions
 from optimus.env import ManipulationEnv
 from optimus.exchange.hdf5 import created
 from optimus.exchange.selection import Selection, instruction_of, select
-from optimus.exchange.states import environment, states_of
+from optimus.exchange.states import environment, is_ours, states_of
 from optimus.registration import made_by
+from optimus.robots import Robot
 from optimus.spec import world_spec
 
 GYM_TYPE = 2
@@ -56,6 +57,8 @@ class RobomimicConfig:
     compress: bool = False
     """Images by gzip: a third of the size, several times slower to read."""
     overwrite: bool = False
+    robot: Robot | None = None
+    """That of the data set, where a robot file says which."""
 
 
 def export_robomimic(
@@ -65,19 +68,20 @@ def export_robomimic(
     config = config or RobomimicConfig()
     require_free(out, config.overwrite)
     selection = select(dataset, config.everything)
-    env = environment(selection.store)
+    env = environment(selection.store, config.robot)
     with written_aside(out, config.overwrite) as path, created(path) as file:
         data = file.create_group("data")
         for number, header in enumerate(selection.headers):
             _write_demo(data.create_group(f"demo_{number}"), header, env, config)
             progress(number + 1, len(selection.headers))
         data.attrs["total"] = selection.steps
-        data.attrs["env_args"] = json.dumps(_env_args(selection, env))
+        data.attrs["env_args"] = json.dumps(_env_args(selection))
         data.attrs[OWN] = json.dumps(_about(selection))
         _write_masks(file, selection)
         states = all("states" in demo for demo in data.values())
     split = {"train": len(selection.train), "valid": len(selection.validation)}
-    return {"file": str(out), "demonstrations": len(selection.headers), "steps": selection.steps, **split, "states": states}
+    has = {"states": states, "models": env is not None}
+    return {"file": str(out), "demonstrations": len(selection.headers), "steps": selection.steps, **split, **has}
 
 
 def _write_demo(group: h5py.Group, header: EpisodeHeader, env: ManipulationEnv | None, config: RobomimicConfig) -> None:
@@ -121,9 +125,9 @@ def _episode_facts(header: EpisodeHeader) -> dict[str, Any]:
     return {name: getattr(header, name) for name in ("seed", "agent", "success", "failure", "skeleton", "object_names", "info")}
 
 
-def _env_args(selection: Selection, env: ManipulationEnv | None) -> dict[str, Any]:
+def _env_args(selection: Selection) -> dict[str, Any]:
     store = selection.store
-    name, task = (store.task, {}) if env is None else made_by(store.task)
+    name, task = made_by(store.task) if is_ours(store.task) else (store.task, {})
     foreign = store.config.get("env_args")
     if isinstance(foreign, dict):
         return foreign

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from optimus.data.atomic import require_free, write_json, written_aside
 from optimus.data.curate import CURATION_FILE
-from optimus.data.episode import IMAGE_SUFFIX, IMPORTED, INSTRUCTION, PROPRIOCEPTION, Episode
+from optimus.data.episode import IMAGE_SUFFIX, IMPORTED, INSTRUCTION, PROPRIOCEPTION, RENDERED, Episode
 from optimus.data.store import DESCRIPTION, EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange.hdf5 import facts, group_in, names, names_in, numbers, opened, plain_dataset
 from optimus.exchange.robomimic import OBJECT, OWN
+from optimus.exchange.selection import environment_settings
 
 JOINTS = ("robot0_joint_pos", "robot0_joint_target_error")
 """Low-dimensional observations of this program's own files under joint control, besides `PROPRIOCEPTION`."""
@@ -101,12 +102,18 @@ def _description(data: h5py.Group, images: Iterable[str]) -> tuple[str, list[str
     cameras = [name.removesuffix(IMAGE_SUFFIX) for name in images]
     own, env_args = facts(data, OWN), facts(data, "env_args")
     if own:
-        return own["task"], [c for c in own["cameras"] if c in cameras], own["config"]
+        return own["task"], [c for c in own["cameras"] if c in cameras], _without_maps(own["config"])
     config: dict[str, Any] = {IMPORTED: "robomimic", "env_args": env_args}
-    controller = (env_args.get("env_kwargs") or {}).get("controller_configs") or {}
-    if controller.get("type") == "OSC_POSE" and "output_max" in controller:  # robosuite: metres for an action of 1
-        config["position_scale"] = float(np.ravel(controller["output_max"])[0])
+    controller = environment_settings(env_args).get("controller_configs")
+    if isinstance(controller, Mapping) and controller.get("type") == "OSC_POSE" and np.size(controller.get("output_max", ())):
+        config["position_scale"] = float(np.ravel(controller["output_max"])[0])  # robosuite: metres for an action of 1
     return str(env_args.get("env_name", "unknown")), cameras, config
+
+
+def _without_maps(config: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings of a data set whose distances and segmentation are not taken."""
+    rendered = {RENDERED: {**config[RENDERED], "depth": False, "segmentation": False}} if RENDERED in config else {}
+    return {**config, **rendered}
 
 
 def _episode(

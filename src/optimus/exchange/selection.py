@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from optimus.data.curate import CURATION_FILE, load_curation, require_decided
 from optimus.data.episode import INSTRUCTION
@@ -26,6 +28,12 @@ class Selection:
     def steps(self) -> int:
         """Steps of all episodes."""
         return sum(header.steps for header in self.headers)
+
+
+def environment_settings(env_args: Any) -> Mapping[str, Any]:
+    """The `env_kwargs` of another program's `env_args`; empty where it gives none."""
+    settings = env_args.get("env_kwargs") if isinstance(env_args, Mapping) else None
+    return settings if isinstance(settings, Mapping) else {}
 
 
 def instruction_of(header: EpisodeHeader, env: ManipulationEnv | None) -> str:

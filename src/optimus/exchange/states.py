@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from functools import lru_cache
 
 import numpy as np
@@ -12,17 +13,34 @@ from optimus.data.episode_file import STATES, EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.env import ManipulationEnv
 from optimus.errors import DatasetError, OptimusError
+from optimus.robots import Robot
 from optimus.robots.catalogue import robot as robot_named
 from optimus.tasks import task as task_named
 
+log = logging.getLogger(__name__)
 
-def environment(store: EpisodeStore) -> ManipulationEnv | None:
-    """The environment that a data set was collected in; None where its task is not one of this program's."""
+
+def is_ours(task: str) -> bool:
+    """Whether a data set's task is one of this program's, by what it is called: its own, or a module's."""
+    try:
+        return ":" in task or bool(task_named(task))
+    except OptimusError:
+        return False
+
+
+def environment(store: EpisodeStore, robot: Robot | None = None) -> ManipulationEnv | None:
+    """The environment that a data set was collected in, with that robot; None where its task is not one of this program's, or,
+    which is logged, where what it takes is not here. `DatasetError` if the robot is another one."""
+    if not is_ours(store.task):
+        return None
     try:
         task = task_named(store.task)
-        arm = None if store.robot == TASKS_OWN else robot_named(store.robot)
-    except OptimusError:
+        arm = robot or (None if store.robot == TASKS_OWN else robot_named(store.robot))
+    except OptimusError as error:
+        log.warning("without models and states that were not recorded: %s", error)
         return None
+    if task.robot_record(arm) != store.robot:
+        raise DatasetError(f"{store.path} was collected with robot {task.robot_text(store.robot)}, not {task.robot_record(arm)}")
     return _environment(task.name, store.control, arm, store.config.get("gripper", BINARY))
 
 

@@ -10,7 +10,7 @@ from typing import get_args
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from optimus.data.episode import BINARY, CONTINUOUS, DOOR_ANGLES, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS, Observation
@@ -70,7 +70,7 @@ class PolicyAgent:
         """Forget the frames; the answers that follow are a function of the seed and the observations."""
         self._tokens.clear()
         self._planned.clear()
-        self._noise.manual_seed(seed)
+        self._noise.manual_seed(int(seed))
 
     @torch.no_grad()
     def act(self, observation: Observation) -> NDArray[np.float32]:
@@ -102,7 +102,7 @@ class PolicyAgent:
                 "use the environment it was trained in"
             )
         images = {c: _centre(np.asarray(observation[c + IMAGE_SUFFIX]), inputs.frame, crop) for c in inputs.cameras}
-        low = {name: self._told(name, np.asarray(observation[name], np.float32)) for name in inputs.proprioception}
+        low = {name: self._told(name, _numbers(name, observation[name])) for name in inputs.proprioception}
         return {c: x.to(self._device) for c, x in images.items()}, {name: x.to(self._device) for name, x in low.items()}
 
     def _told(self, name: str, value: NDArray[np.float32]) -> Tensor:
@@ -117,7 +117,14 @@ class PolicyAgent:
             )
         if not np.isfinite(value).all():
             raise CheckpointError(f"the observation's {name} holds NaN or infinity")
-        return torch.from_numpy(value)[None]
+        return torch.tensor(value)[None]
+
+
+def _numbers(name: str, value: ArrayLike) -> NDArray[np.float32]:
+    try:
+        return np.asarray(value, np.float32)
+    except (TypeError, ValueError) as error:
+        raise CheckpointError(f"the observation's {name} is no array of numbers ({error})") from error
 
 
 def trained_agent(run: Path, component: Component = "sampled", compiled: bool = False) -> PolicyAgent:

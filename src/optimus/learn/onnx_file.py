@@ -4,7 +4,8 @@ Inputs: `<camera>_image` `(84, 84, 3)` uint8 (or of the size that the policy was
 `(n,)` float32; `tokens` `(context, width)` float32, what the step before gave (anything at the first step); `first` (bool): forget
 what was before.
 
-Outputs: `action` `(chunk, n)` float32, the likeliest, gripper -1 or 1; `next_tokens`, for the next step; and of a mixture
+Outputs: `action` `(chunk, n)` float32, the likeliest, gripper -1 or 1, of which the first `optimus.executed` (in the metadata) are
+for this step and those that follow; `next_tokens`, for the next step; and of a mixture
 `weights` `(K,)` and `means` `(K, n)`, to draw from instead.
 """
 
@@ -41,7 +42,9 @@ def export_onnx(policy: Policy, file: Path) -> None:
     """Write `policy` to `file`; `ExportError` without the packages of the extra `onnx`."""
     step = OneStep(policy).eval()
     model = onnx_model(step, step.example(), step.inputs, step.outputs)
-    about = {"inputs": asdict(policy.inputs), "context": policy.config.context, "parameters": policy.parameter_count}
+    config = policy.config
+    about = {"inputs": asdict(policy.inputs), "context": config.context, "executed": config.head.executed}
+    about["parameters"] = policy.parameter_count
     for key, value in about.items():
         model.metadata_props.add(key=f"optimus.{key}", value=json.dumps(value))
     write_whole(file, model.SerializeToString())

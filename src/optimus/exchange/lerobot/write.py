@@ -28,13 +28,15 @@ from optimus.control import CONTROL_HZ
 from optimus.data.atomic import make_folder, require_free, write_json, written_aside
 from optimus.data.episode import IMAGE_SUFFIX, TASKS_OWN
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader, read_episode
+from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange import video
 from optimus.exchange.lerobot import statistics
 from optimus.exchange.lerobot.cameras import VIDEO_BYTES, VIDEO_PATH, CameraFiles
 from optimus.exchange.lerobot.tables import CHUNKS, DATA_BYTES, DATA_PATH, FrameTable, place, write_episodes, write_tasks
-from optimus.exchange.selection import Selection, instruction_of, select
+from optimus.exchange.selection import Selection, environment_settings, instruction_of, select
 from optimus.exchange.states import environment
+from optimus.robots import Robot
 
 VERSION = "v3.0"
 MARKER = "meta/info.json"
@@ -63,6 +65,8 @@ class LerobotConfig:
     crf: int = 12
     """Of the videos: x264's constant rate factor, smaller is better and larger."""
     overwrite: bool = False
+    robot: Robot | None = None
+    """That of the data set, where a robot file says which."""
 
 
 def export_lerobot(
@@ -82,7 +86,22 @@ def export_lerobot(
         finally:
             writer.close()
     counts = {"episodes": len(selection.headers), "frames": selection.steps, "instructions": len(writer.tasks)}
-    return {"folder": str(out), **counts, "splits": _splits(selection), "videos": quality}
+    return {"folder": str(out), **counts, "splits": _splits(selection), "videos": quality, "left_out": _left_out(selection)}
+
+
+def _left_out(selection: Selection) -> list[str]:
+    """Observations that are neither numbers of the state nor images: distances and segmentation."""
+    first = selection.headers[0]
+    flat = {name for name in first.observation_names if len(first.arrays[OBSERVATION_PREFIX + name].shape) == 2}
+    return sorted(name for name in {*first.observation_names} - flat if not name.endswith(IMAGE_SUFFIX))
+
+
+def _rate(store: EpisodeStore) -> int:
+    """Steps a second, as another program's file says; `DatasetError` where they are none that the format can tell."""
+    told = environment_settings(store.config.get("env_args")).get("control_freq") or CONTROL_HZ
+    if not isinstance(told, (int, float)) or told != int(told) or told < 1:
+        raise DatasetError(f"{store.path} has {told!r} steps a second; LeRobot's format has whole ones, 1 or more")
+    return int(told)
 
 
 def _in_order(selection: Selection) -> Selection:
@@ -108,8 +127,8 @@ class _Writer:
     def __init__(self, root: Path, selection: Selection, config: LerobotConfig) -> None:
         self.root, self.selection, self.config = root, selection, config
         store = selection.store
-        self.fps = int((store.config.get("env_args") or {}).get("env_kwargs", {}).get("control_freq", CONTROL_HZ))
-        self.env = environment(store)
+        self.fps = _rate(store)
+        self.env = environment(store, config.robot)
         self.frames = FrameTable(root)
         make_folder(root / "meta")
         self.cameras = {c: CameraFiles(root, IMAGES + c, self.fps, config.crf) for c in store.cameras if not config.images}
