@@ -24,9 +24,6 @@ from optimus.words import instruction, names_in
 ROOM_TO_SPARE = 0.007
 """Between the open fingers, beyond the thing between them [m]: with 4 mm they get stuck on a cup, with 8 mm they do not."""
 
-_FINGERPRINTED = 12
-"""Problems."""
-
 
 @dataclass(frozen=True, eq=False)
 class Problem:
@@ -112,6 +109,8 @@ class Task:
     """From where they are taken, against that centre [m]."""
     draw_with: Callable[[Objects, np.random.Generator], Problem] | None = None
     """Draws the problem with other objects; None where there are none to choose."""
+    fingerprinted: int = 12
+    """Problems that tell an edited task from what it was."""
 
     def __post_init__(self) -> None:
         require_at_least(1, horizon=self.horizon)
@@ -134,7 +133,7 @@ class Task:
         """The same task, under another name, with those objects. `ModelError` if it has none to choose."""
         if self.draw_with is None:
             raise ModelError(f"{self.name} has objects of its own: others are chosen by `draw_with`, which it lacks")
-        return replace(self, name=name, draw=partial(self.draw_with, objects))
+        return replace(self, name=name, draw=partial(self.draw_with, objects), fingerprinted=1)  # each object may have to be made
 
     def problem(self, seed: int, robot: Robot | None = None) -> Problem:
         """The problem of that seed: the same one every time, on every machine. `robot` takes the place of the task's own."""
@@ -146,7 +145,7 @@ class Task:
     def fingerprint(self, seed: int, robot: Robot | None = None) -> str:
         """Sixteen hexadecimal digits that are others once what is drawn for the first few seeds from `seed` on has been edited: the
         task, the robot's file or an object."""
-        return fingerprint([self.problem(seed + i, robot) for i in range(_FINGERPRINTED)])
+        return fingerprint([self.problem(seed + i, robot) for i in range(self.fingerprinted)])
 
 
 def pick_one(objects: Objects, rng: np.random.Generator) -> str:
