@@ -162,11 +162,11 @@ def test_several_things_find_room_where_the_first_one_must_not_stand_in_the_midd
     assert attempt.success, attempt.failure
 
 
-def in_bins(edge: float, places: dict[str, tuple[float, float]], goal: dict[str, str]) -> ManipulationEnv:
+def in_bins(edge: float, places: dict[str, tuple[float, float]], goal: dict[str, str], high: float = 0.05) -> ManipulationEnv:
     """Cubes in two bins, left and right."""
     problem = task("pick-place").problem(0)
     table = next(f for f in problem.scene.fixtures if f.name == "table")
-    bins = (Fixture(name, bin_of(edge, 0.05, WOOD), (0.5, y, 0.025)) for name, y in (("left", 0.25), ("right", -0.25)))
+    bins = (Fixture(name, bin_of(edge, high, WOOD), (0.5, y, high / 2)) for name, y in (("left", 0.25), ("right", -0.25)))
     scene = replace(problem.scene, fixtures=(table, *bins), movables=tuple(Movable(name, CUBE) for name in places))
     poses = {name: Pose.of((0.5 + x, y, 0.01 + CUBE.half_extents[2])) for name, (x, y) in places.items()}
     wanted = frozenset(fact for name, where in goal.items() for fact in (On(name, where), Released(name)))
@@ -194,6 +194,14 @@ def test_what_was_in_the_way_when_time_ran_out_is_no_verdict() -> None:
     found = _out_of_time(Infeasible("no room", "place", ("a", "b"), ("table",)))
     assert str(found) == "planning time spent, so far: no room at place(a, b), in the way: table"
     assert _out_of_time(found.__class__(OUT_OF_TIME)) == Infeasible(OUT_OF_TIME)
+
+
+def test_after_detours_in_vain_the_reason_is_that_of_the_goal() -> None:
+    """The hand is wider than the bins, whose walls are as high as it would have to be low."""
+    env = in_bins(0.17, {"a": (0.0, 0.0)}, {"a": "right"}, high=0.08)
+    env.reset(seed=0)
+    found = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0), Budget(seconds=4.0))
+    assert isinstance(found, Infeasible) and (found.skill, found.objects) == ("place", ("a", "right")), found
 
 
 def test_out_of_time_is_said_with_the_names() -> None:

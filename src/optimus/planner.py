@@ -13,7 +13,7 @@ from optimus.errors import require_at_least
 from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.objects.shapes import stands, unrolled
-from optimus.predicates import On, facts_of, holds
+from optimus.predicates import On, Released, facts_of, holds
 from optimus.scene import Scene
 from optimus.se3 import Pose
 from optimus.skills import SKILLS, Workspace
@@ -178,24 +178,35 @@ def solve(
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
+    of_goal: Infeasible | None = None  # what stands fast is in the way of the goal itself: detours may fail for other reasons
     vain: dict[Hashable, Counter[str]] = {}
     for tried in range(budget.skeletons):
         operators = with_unblocking(ground_operators, learned)
         skeleton = _next(skeletons(facts | learned, goal, operators), failed)
         if skeleton is None:
-            return last
+            return last if of_goal is None else of_goal
         binding = _Binding(workspace, rng, budget, vain=vain)
         try:
             steps = binding.bind(skeleton, state)
         except OutOfTime:
-            return _out_of_time(_explain(binding) if binding.culprit or tried == 0 else last)
+            latest = _explain(binding) if binding.culprit or tried == 0 else last
+            return _out_of_time(latest if of_goal is None else of_goal)
         if steps is not None:
             stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
         failed.add(tuple(map(str, skeleton)))
         last = _explain(binding)
+        if _fixed_in_the_way(binding, last, goal):
+            of_goal = last
         learned = learned | _lesson(binding, workspace, learned)
-    return last
+    return last if of_goal is None else of_goal
+
+
+def _fixed_in_the_way(binding: _Binding, failure: Infeasible, goal: Facts) -> bool:
+    """Whether what failed was wanted itself, and nothing that can be moved was in its way."""
+    what = binding.aim or binding.culprit
+    wanted = what is not None and any(atom in goal for atom in what.adds if atom.predicate != Released.name)
+    return wanted and not {*failure.blockers}.intersection(binding.workspace.scene.movable_names)
 
 
 def _as_seen(scene: Scene, state: State) -> State:
