@@ -16,6 +16,7 @@ from optimus.data.episode import PROPRIOCEPTION
 from optimus.env import ManipulationEnv
 from optimus.errors import ActionError, ModelError, UnknownNameError
 from optimus.registration import gym_id
+from optimus.robots import PANDA
 from optimus.scene import Camera
 from optimus.se3 import Pose, look_at
 from optimus.tasks import TASKS, task
@@ -27,6 +28,12 @@ from optimus.world import compile_scene
 def test_gymnasium_finds_nothing_to_say(name: str) -> None:
     assert optimus.__version__ and all(gym_id(other) in gymnasium.registry for other in TASKS)
     check_env(gymnasium.make(gym_id(name)).unwrapped, skip_render_check=True)
+
+
+def test_a_robot_is_taken_by_its_name() -> None:
+    assert ManipulationEnv(task("stack"), images=False, robot="panda").world.scene.robot == PANDA
+    with pytest.raises(UnknownNameError, match="unknown robot 'pandaa'; valid: panda, ur5e"):
+        ManipulationEnv(task("stack"), images=False, robot="pandaa")
 
 
 def test_observations_have_robosuite_names() -> None:

@@ -33,6 +33,7 @@ from optimus.data.turns import as_columns
 from optimus.errors import ActionError, ModelError, UnknownNameError, require_at_least
 from optimus.render import Rig
 from optimus.robots import Robot
+from optimus.robots.catalogue import robot as robot_named
 from optimus.scene import Camera, Scene
 from optimus.se3 import Array, Pose
 from optimus.spec import PHYSICS_DT
@@ -74,18 +75,21 @@ class ManipulationEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         images: bool = True,
         render_mode: str | None = None,
         control: str = OSC,
-        robot: Robot | None = None,
+        robot: Robot | str | None = None,
         positions: bool = False,
         gripper: str = BINARY,
         worlds: Callable[[Scene], World] = compile_scene,
         image_size: int = IMAGE_SIZE,
         cameras: Sequence[str | Camera] | None = None,
     ) -> None:
-        """`robot` takes the place of the task's own; with `positions`, agents are told how the movables lie; `gripper` is
-        `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one; `image_size` [pixels] is the
-        side of what the `cameras` see: those of the scene, by name, and new ones; None: all of the scene's."""
+        """`robot`, or the one of that name or robot file, takes the place of the task's own; with `positions`, agents are told how
+        the movables lie; `gripper` is `BINARY` or `CONTINUOUS`; `worlds` makes a scene's world, where that is not the usual one;
+        `image_size` [pixels] is the side of what the `cameras` see: those of the scene, by name, and new ones; None: all of the
+        scene's."""
         if gripper not in (BINARY, CONTINUOUS):
             raise UnknownNameError("gripper", gripper, (BINARY, CONTINUOUS))
+        if isinstance(robot, str):
+            robot = robot_named(robot)
         self.gripper, self._worlds = gripper, worlds
         self.task, self.images, self.render_mode, self._robot = task, images, render_mode, robot
         self.positions, self.image_size = positions, image_size

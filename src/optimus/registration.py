@@ -26,14 +26,10 @@ def made_by(task: str) -> tuple[str, dict[str, Any]]:
 
 
 def make_env(task: str, **options: Any) -> gymnasium.Env[Any, Any]:
-    """The environment of a task by name; `options` as for `ManipulationEnv`, a robot by its name or file, too, and
-    cameras as datasets record them."""
+    """The environment of a task by name; `options` as for `ManipulationEnv`, and cameras as datasets record them."""
     from optimus.env import ManipulationEnv
-    from optimus.robots.catalogue import robot as robot_named
     from optimus.scene import Camera
 
-    if isinstance(arm := options.get("robot"), str):
-        options["robot"] = robot_named(arm)
     if isinstance(cameras := options.get("cameras"), (list, tuple)):
         options["cameras"] = [Camera.of(c) if isinstance(c, Mapping) else c for c in cameras]
     return ManipulationEnv(task_named(task), **options)
