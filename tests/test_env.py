@@ -32,7 +32,7 @@ def test_gymnasium_finds_nothing_to_say(name: str) -> None:
 
 def test_a_robot_is_taken_by_its_name() -> None:
     assert ManipulationEnv(task("stack"), images=False, robot="panda").world.scene.robot == PANDA
-    with pytest.raises(UnknownNameError, match="unknown robot 'pandaa'; valid: .*panda, ur5e"):
+    with pytest.raises(UnknownNameError, match=r"unknown robot 'pandaa'; valid: .*panda, ur5e"):
         ManipulationEnv(task("stack"), images=False, robot="pandaa")
 
 
