@@ -95,8 +95,12 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
     written = (tmp_path / "table.md").read_text()
     assert "missing: Stack OPTIMUS." in written and "--out DIR --rows Stack --columns TAMP-task\n" in written
     done = {p: p.stat().st_mtime_ns for p in (*tmp_path.rglob("*.safetensors"), *(tmp_path / "cells").iterdir())}
+    # as if another machine had trained it, with a GPU
+    elsewhere = {"processor": "Another One", "cores": 16, "gpu": "Large"}
+    (tmp_path / "policies" / "stack-optimus" / "seed-0" / "done").write_text(json.dumps(elsewhere))
     stages: list[str] = []
-    found = reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=lambda stage, *_: stages.append(stage)))
+    here = replace(tiny, device="auto")
+    found = reproduce(Site("table-b2", tmp_path, here, workers=1, progress=lambda stage, *_: stages.append(stage)))
     assert {p: p.stat().st_mtime_ns for p in done} == done
     assert not [s for s in stages if s.startswith(("expert", "train", "collect"))]
     assert found["complete"] and found["hours"] > unfinished["hours"] > 0
@@ -120,7 +124,9 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert "proves the path" in written and "--rows" not in written
     assert all(command in written for c in found["cells"] for command in c["commands"])
     assert imread(out / "plot.png").std() > 0
-    assert all(c["machine"]["processor"] in written for c in cells)
+    planner, policy = (c["machine"] for c in cells)
+    assert policy == {"processor": f"Another One; trials: {planner['processor']}", "cores": 16, "gpu": "Large"}
+    assert all(m["processor"] in written for m in (planner, policy))
     of = {c["commit"] for c in cells}
     assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)
 

@@ -20,7 +20,7 @@ from typing import Any
 from optimus.data.atomic import make_folder, write_json
 from optimus.errors import UnknownNameError
 from optimus.learn.ranks import device_kind
-from optimus.reproduce.site import Site, commit, machine, read_json
+from optimus.reproduce.site import Site, commit, read_json
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.work import PolicyWork
 from optimus.reproduce.write import write_table
@@ -125,7 +125,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
         "commands": cell.work.commands(site),
         "hours": own.hours,
         "commit": of,
-        "machine": machine(),
+        "machine": cell.work.machine(site),
     }
     write_json(path, result)
     return result
@@ -134,10 +134,11 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
 def _write(site: Site, table: Table, results: list[dict[str, Any]]) -> None:
     with site.lock:
         record = copy.deepcopy(site.record)
+    begun = replace(site.budget, device=record["asked"]["budget"]["device"])
     found = {
         "table": table.name,
         "title": table.title,
-        "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed}{site.budget.options} --out DIR",
+        "command": f"optimus reproduce {table.name} --budget {site.budget.name} --seed {site.seed}{begun.options} --out DIR",
         **record,
         "hours": site.hours,
         "complete": len(results) == len(table.cells),

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from optimus.collect import CollectConfig, collect
 from optimus.conditions import USUAL, Conditions
+from optimus.data.atomic import write_json
 from optimus.data.curate import CURATION_FILE, CurationConfig, curate
 from optimus.demonstrate import ExpertConfig
 from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, states_label, task_of, validation_starts
@@ -16,7 +17,7 @@ from optimus.expert import TimeLaw
 from optimus.learn import checkpoint
 from optimus.learn.presets import HeadName, Observe, preset
 from optimus.learn.train import Progress, train
-from optimus.reproduce.site import Site
+from optimus.reproduce.site import Site, machine, read_json
 from optimus.rerender import RenderConfig, rerender
 from optimus.rollout import Perturbation
 from optimus.skills import Style
@@ -24,6 +25,8 @@ from optimus.tasks import with_objects
 from optimus.words import slug
 
 STEPS_BETWEEN_NOTES = 20
+_DONE = "done"
+"""In a policy's folder once it has been trained: on what machine."""
 
 
 @dataclass(frozen=True)
@@ -137,7 +140,7 @@ class Lesson:
     def learn(self, site: Site, seed: int) -> None:
         """Train the policy of that seed, unless that is done."""
         run = self.run(site, seed)
-        if (run / "done").exists():
+        if (run / _DONE).exists():
             return
         folders = self.collect(site)
         network = site.budget.presets[self.method]
@@ -145,7 +148,13 @@ class Lesson:
         stage = f"train {self.name}"
         with site.timed(stage):
             train(folders, run, config, policy, _noting(site, stage))
-        (run / "done").touch()
+        write_json(run / _DONE, machine())
+
+    def machine(self, site: Site, seed: int) -> dict[str, Any]:
+        """What the policy of that seed was trained on, and what is here besides where that is another one."""
+        here, done = machine(), self.run(site, seed) / _DONE
+        there = read_json(done) if done.exists() and done.stat().st_size else here  # earlier versions left it empty
+        return here if there == here else {**there, "processor": f"{there['processor']}; trials: {here['processor']}"}
 
     def tried(self, site: Site, seed: int, trial: Trial) -> dict[str, Any]:
         """The report of an evaluation; what was evaluated earlier is read, for the best policy also where it is the last one."""

@@ -27,7 +27,8 @@ StageProgress = Callable[[str, int, int, dict[str, str]], None]
 
 @dataclass(eq=False)
 class Site:
-    """The folder of one table under one budget.
+    """The folder of one table under one budget. What trains may be another device from call to call: policies that were taught on
+    a GPU can be tried where there is none.
 
     OUT/reproduce.json   what was asked for, versions, seconds by stage over all sessions
     OUT/data/, OUT/policies/, OUT/cells/   datasets, training runs, and one file a measurement that is done
@@ -56,6 +57,7 @@ class Site:
         if path.exists():
             self.record = read_json(path)
             self.record["asked"]["budget"] = _said_of_all(self.record["asked"]["budget"], asked["budget"])
+            asked["budget"]["device"] = self.record["asked"]["budget"]["device"]
             for key, (have, wanted) in _differing(self.record["asked"], asked):
                 raise DatasetError(f"{self.out} was begun with {key} = {have!r}, not {wanted!r}; name another folder")
             return

@@ -15,7 +15,7 @@ from optimus.bench.policy import bench_policy_action
 from optimus.conditions import USUAL, Conditions
 from optimus.data.episode import OSC
 from optimus.reproduce.lesson import Data, Lesson, Trial, options
-from optimus.reproduce.site import Site
+from optimus.reproduce.site import Site, machine
 from optimus.reproduce.timing import expert_time
 from optimus.statistics import wilson
 
@@ -42,9 +42,16 @@ class Work(Protocol):
         """The same by hand."""
         ...
 
+    def machine(self, site: Site) -> dict[str, Any]:
+        """What it was done on."""
+        ...
+
 
 class _NothingAhead:
-    """Work that is done in one piece."""
+    """Work that is done in one piece, here."""
+
+    def machine(self, site: Site) -> dict[str, Any]:
+        return machine()
 
     def ahead(self, site: Site) -> tuple[Callable[[], object], Callable[[], object]]:
         return lambda: None, lambda: None
@@ -62,6 +69,9 @@ class PolicyWork:
         for seed in seeds:
             self.lesson.learn(site, seed)
         return {t.name: _pooled([self.lesson.tried(site, seed, t) for seed in seeds]) for t in self.trials}
+
+    def machine(self, site: Site) -> dict[str, Any]:
+        return self.lesson.machine(site, site.seed)
 
     def ahead(self, site: Site) -> tuple[Callable[[], object], Callable[[], object]]:
         seeds = range(site.seed, site.seed + site.budget.seeds)
