@@ -122,3 +122,7 @@ def test_as_many_plain_demonstrations_instead(
     with pytest.raises(SystemExit):
         main()
     assert "--dagger takes one dataset" in capsys.readouterr().err
+    monkeypatch.setattr("sys.argv", ["optimus", "train", str(taught[0]), "--out", str(whole), "--dagger-plain"])
+    with pytest.raises(SystemExit):
+        main()
+    assert "with --dagger ROUNDS" in capsys.readouterr().err

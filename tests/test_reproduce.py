@@ -248,6 +248,8 @@ def test_a_folder_begun_by_an_earlier_version_goes_on(tmp_path: Path) -> None:
 def test_an_unknown_table_is_named(tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError, match="figure-a1"):
         engine_module.reproduce(Site("table-z9", tmp_path, budget("smoke")))
+    with pytest.raises(UnknownNameError, match="'GMM loss, planner at random', 'Gaussian loss'"):  # as a shell takes them
+        engine_module.reproduce(Site("figure-a1", tmp_path, budget("smoke")), ["Gaussian"])
 
 
 def test_a_shrunk_policy_is_half_as_large_and_answers_alike(taught: tuple[Path, Path], tmp_path: Path) -> None:

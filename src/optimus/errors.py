@@ -1,6 +1,7 @@
 """Named errors. Every one is a child of `OptimusError`, which the command line prints as one line (exit status 2)."""
 
 import math
+import shlex
 from collections.abc import Iterable
 
 
@@ -45,7 +46,8 @@ class UnknownNameError(OptimusError):
 
     def __str__(self) -> str:
         kind, name, valid = self.args
-        return f"unknown {kind} {name!r}; valid: {', '.join(valid)}"
+        told = (shlex.quote(each) if {" ", ","} & set(each) else each for each in valid)
+        return f"unknown {kind} {name!r}; valid: {', '.join(told)}"
 
 
 class AssetError(OptimusError):

@@ -90,6 +90,7 @@ def train(
         dagger_evaluations: episodes in which success is measured before and after each round
     """
     from optimus.dagger import DaggerConfig
+    from optimus.errors import OptimusError
     from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
     from optimus.learn.train import train as run_train
@@ -102,6 +103,8 @@ def train(
     how = recipe or chosen.recipe
     asked = Asked(minutes, epochs, steps, seed, demonstrations, how, batch, consecutive, labels, accumulate, ema, precision, device)
     config = asked.config
+    if not dagger and DaggerConfig(1, dagger_episodes, dagger_plain, dagger_evaluations) != DaggerConfig(1):
+        raise OptimusError("--dagger-episodes, --dagger-plain, --dagger-evaluations say how rounds go; ask for some with --dagger ROUNDS")
     rounds = DaggerConfig(dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers) if dagger else None
     if is_first():
         for dataset in datasets:

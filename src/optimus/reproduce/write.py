@@ -105,7 +105,7 @@ def _about(found: dict[str, Any]) -> str:
         f"{'; '.join(dict.fromkeys(_said_of(cell['machine']) for cell in found['cells']))}. {versions}.",
         f"{found['hours']:.2f} hours, that of other work on the machine included.",
     ]
-    return " ".join(parts) + ("" if found["complete"] else f" **Not finished; missing: {', '.join(found['missing'])}.**")
+    return " ".join(parts) + ("" if found["complete"] else f" **Not finished; missing: {'; '.join(found['missing'])}.**")
 
 
 def _said_of(machine: dict[str, Any]) -> str:
