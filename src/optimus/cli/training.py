@@ -104,7 +104,8 @@ def train(
     asked = Asked(minutes, epochs, steps, seed, demonstrations, how, batch, consecutive, labels, accumulate, ema, precision, device)
     config = asked.config
     if not dagger and DaggerConfig(1, dagger_episodes, dagger_plain, dagger_evaluations) != DaggerConfig(1):
-        raise OptimusError("--dagger-episodes, --dagger-plain, --dagger-evaluations say how rounds go; ask for some with --dagger ROUNDS")
+        named = "--dagger-episodes, --dagger-plain, --dagger-evaluations"
+        raise OptimusError(f"{named} say how rounds go; ask for some with --dagger ROUNDS")
     rounds = DaggerConfig(dagger, dagger_episodes, dagger_plain, dagger_evaluations, workers) if dagger else None
     if is_first():
         for dataset in datasets:
