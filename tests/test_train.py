@@ -309,8 +309,8 @@ def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
     """Only the image says where to go: an answer that ignores it is off by some 100 mm."""
     dataset = make_dataset(tmp_path / "data", 400, 3).path
     config = TrainConfig(
-        steps=110,
-        loss=LossConfig(runs=32),
+        steps=140,
+        loss=LossConfig(runs=16),
         evaluations=1,
         held_out_runs=60,
         optimiser=OptimiserConfig(average=0.95),
