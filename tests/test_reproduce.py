@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -84,12 +85,17 @@ def test_a_killed_reproduction_goes_on_and_says_what_was_measured(tmp_path: Path
     monkeypatch.setitem(TABLES, "table-b2", SMALL)
     tiny = replace(budget("smoke"), episodes=1, expert_episodes=1, demonstrations=2)
 
-    def stop(stage: str, done: int, total: int, notes: dict[str, str]) -> None:
-        if stage.startswith("evaluate"):
+    tried: list[str] = []
+
+    def stop(where: str, stage: str, done: int, total: int, notes: dict[str, str]) -> None:
+        tried.append(stage)
+        if stage.startswith(where):
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
-        reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=stop))
+    for where in ("expert stack osc push", "evaluate"):
+        with pytest.raises(KeyboardInterrupt):
+            reproduce(Site("table-b2", tmp_path, tiny, workers=1, progress=partial(stop, where)))
+    assert tried.count("expert stack osc") == 1 and tried.count("expert stack osc push") == 2
     unfinished = json.loads((tmp_path / "results.json").read_text())
     assert not unfinished["complete"] and unfinished["missing"] == ["Stack OPTIMUS"]
     written = (tmp_path / "table.md").read_text()

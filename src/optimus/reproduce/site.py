@@ -31,7 +31,8 @@ class Site:
     a GPU can be tried where there is none.
 
     OUT/reproduce.json   what was asked for, versions, seconds by stage over all sessions
-    OUT/data/, OUT/policies/, OUT/cells/   datasets, training runs, and one file a measurement that is done
+    OUT/data/, OUT/policies/, OUT/expert/   datasets, training runs, and what the expert came to under each condition
+    OUT/cells/           one file a cell that is done
     """
 
     table: str

@@ -13,11 +13,13 @@ from optimus.bench import BenchConfig
 from optimus.bench.expert import bench_expert
 from optimus.bench.policy import bench_policy_action
 from optimus.conditions import USUAL, Conditions
+from optimus.data.atomic import make_folder, write_json
 from optimus.data.episode import OSC
 from optimus.reproduce.lesson import Data, Lesson, Trial, options
-from optimus.reproduce.site import Site, machine
+from optimus.reproduce.site import Site, commit, machine, read_json
 from optimus.reproduce.timing import expert_time
 from optimus.statistics import wilson
+from optimus.words import slug
 
 Measurement = dict[str, Any]
 """A rate (`successes`, `episodes`, `interval`, ...) or a time (`seconds`), JSON-able."""
@@ -94,17 +96,22 @@ class ExpertWork(_NothingAhead):
     """Name -> what it is tried under."""
 
     def do(self, site: Site) -> dict[str, Measurement]:
-        found: dict[str, Measurement] = {}
-        for name, conditions in self.conditions:
-            config = BenchConfig(
-                self.task, site.budget.expert_episodes, EXPERT_SEED, site.workers, self.control, conditions=conditions
-            )
-            stage = f"expert {self.task} {self.control} {conditions.said}".strip()
-            with site.timed(stage):
-                result = bench_expert(config, lambda done, k, stage=stage, n=config.episodes: site.progress(stage, done, n, {}))
-            kept = ("successes", "episodes", "interval", "paper_rule_successes", "plan_seconds", "failures", "retries", "mishaps")
-            found[name] = {**{key: result[key] for key in kept if key in result}, "distinct_states": config.episodes}
-        return found
+        return {name: self._tried(site, conditions) for name, conditions in self.conditions}
+
+    def _tried(self, site: Site, conditions: Conditions) -> Measurement:
+        """Under these conditions; what an earlier call of the same commit measured is read."""
+        stage = f"expert {self.task} {self.control} {conditions.said}".strip()
+        file, of, n = site.out / "expert" / f"{slug(stage)}.json", commit(), site.budget.expert_episodes
+        if file.exists() and (known := read_json(file))["commit"] == of:
+            return known["measured"]
+        config = BenchConfig(self.task, n, EXPERT_SEED, site.workers, self.control, conditions=conditions)
+        with site.timed(stage):
+            result = bench_expert(config, lambda done, k: site.progress(stage, done, n, {}))
+        kept = ("successes", "episodes", "interval", "paper_rule_successes", "plan_seconds", "failures", "retries", "mishaps")
+        measured = {**{key: result[key] for key in kept if key in result}, "distinct_states": n}
+        make_folder(file.parent)
+        write_json(file, {"commit": of, "measured": measured})
+        return measured
 
     def commands(self, site: Site) -> list[str]:
         asked = f"--episodes {site.budget.expert_episodes} --seed {EXPERT_SEED} --control {self.control}"
