@@ -131,7 +131,7 @@ def _check_written(out: Path, found: dict[str, Any]) -> None:
     assert all(command in written for c in found["cells"] for command in c["commands"])
     assert imread(out / "plot.png").std() > 0
     planner, policy = (c["machine"] for c in cells)
-    assert policy == {"processor": f"Another One; trials: {planner['processor']}", "cores": 16, "gpu": "Large"}
+    assert policy == {"processor": f"Another One; then {planner['processor']}", "cores": 16, "gpu": "Large"}
     assert all(m["processor"] in written for m in (planner, policy))
     of = {c["commit"] for c in cells}
     assert len(of) == 1 and (of == {None} or f"| {of.pop()} |" in written)

@@ -151,10 +151,10 @@ class Lesson:
         write_json(run / _DONE, machine())
 
     def machine(self, site: Site, seed: int) -> dict[str, Any]:
-        """What the policy of that seed was trained on, and what is here besides where that is another one."""
+        """What the policy of that seed was trained on, and where its trials were gone on with, if that is another machine."""
         here, done = machine(), self.run(site, seed) / _DONE
         there = read_json(done) if done.exists() and done.stat().st_size else here  # earlier versions left it empty
-        return here if there == here else {**there, "processor": f"{there['processor']}; trials: {here['processor']}"}
+        return here if there == here else {**there, "processor": f"{there['processor']}; then {here['processor']}"}
 
     def tried(self, site: Site, seed: int, trial: Trial) -> dict[str, Any]:
         """The report of an evaluation; what was evaluated earlier is read, for the best policy also where it is the last one."""
