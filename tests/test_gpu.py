@@ -28,12 +28,13 @@ pytestmark = pytest.mark.skipif(not torch.cuda.is_available(), reason="PyTorch f
 DROPS = TransformerConfig(width=64, layers=2, heads=2, dropout=0.1, attention_dropout=0.1)
 NETWORKS = {
     "transformer": PolicyConfig(),
-    "dropout": PolicyConfig(trunk=DROPS, locates=False),
+    "not aiming": PolicyConfig(aims=False),
+    "dropout": PolicyConfig(trunk=DROPS, locates=False, aims=False),
     "rnn": PolicyConfig(10, trunk=LSTMConfig(width=64, token=32)),
     "mlp": PolicyConfig(1, trunk=MLPConfig(width=64)),
     "bet": PolicyConfig(head=BeTConfig()),
     "flow": PolicyConfig(head=FlowConfig(width=64)),
-    "resnet": PolicyConfig(encoder=ResNetConfig(), head=MixtureConfig(min_deviation=1e-4), locates=False),
+    "resnet": PolicyConfig(encoder=ResNetConfig(), head=MixtureConfig(min_deviation=1e-4), locates=False, aims=False),
 }
 GPU = Runtime(1, False, device="cuda")
 

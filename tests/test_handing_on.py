@@ -106,7 +106,7 @@ def test_an_onnx_file_answers_as_torch_does(name: str, head: str | None, tmp_pat
     from optimus.learn.onnx_file import export_onnx
 
     config = preset(name, head).policy  # type: ignore[arg-type]
-    policy = fresh_policy(config, PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1), 0).eval()
+    policy = fresh_policy(config, PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1, keypose=12), 0).eval()
     policy.action_scale[:6] = torch.tensor([0.3, 0.3, 0.3, 0.7, 0.7, 0.7])
     policy.low_mean.normal_(0, 0.1, generator=torch.Generator().manual_seed(0))
     export_onnx(policy, tmp_path / "policy.onnx")

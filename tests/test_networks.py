@@ -30,7 +30,7 @@ from synthetic import CAMERAS, make_dataset, make_episode
 torch.set_num_threads(1)  # tests run in several processes
 
 PROPRIOCEPTION = {"robot0_eef_pos": 3, "robot0_eef_quat": 4, "robot0_gripper_qpos": 2, "robot0_target_error": 6}
-INPUTS = PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1)
+INPUTS = PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1, keypose=12)
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +55,8 @@ def test_resnet_has_the_published_number_of_weights() -> None:
 @pytest.mark.parametrize(
     ("name", "millions"),
     [
-        ("quick", 0.777),
+        ("quick", 0.797),
+        ("quick-locating", 0.777),
         ("optimus-30m", 27.2),
         ("optimus-30m-locating", 27.2),
         ("optimus-60m", 60.3),
@@ -75,12 +76,12 @@ def test_presets_have_the_size_that_their_layers_add_up_to(name: str, millions: 
             inside = (n - 1) * (d * d + d)
         case _:
             inside = sum(4 * d * (below + d + 2) for below in [trunk.token, *[d] * (n - 1)])
-    located = 3 * config.locates
-    located_weights = config.locates * (128 * 128 + 128 + 3 * 128 + 3)
-    embedding, head = (seen + located + 1) * trunk.token, (d + 1) * 5 * 15
+    said = [n for n, used in ((3, config.locates), (12, config.aims)) if used]
+    saying = sum(128 * 128 + 128 + n * 128 + n for n in said)
+    embedding, head = (seen + sum(said) + 1) * trunk.token, (d + 1) * 5 * 15
     policy = fresh_policy(config, INPUTS, 0)
     encoders = sum(p.numel() for p in policy.encoders.parameters())
-    assert policy.parameter_count == encoders + inside + embedding + head + located_weights
+    assert policy.parameter_count == encoders + inside + embedding + head + saying
     assert policy.parameter_count / 1e6 == pytest.approx(millions, rel=0.01)
 
 

@@ -34,7 +34,7 @@ from synthetic import CAMERAS, make_dataset, make_episode
 torch.set_num_threads(1)  # tests run in several processes
 
 PROPRIOCEPTION = {"robot0_eef_pos": 3, "robot0_eef_quat": 4, "robot0_gripper_qpos": 2, "robot0_target_error": 6}
-INPUTS = PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1)
+INPUTS = PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1, keypose=12)
 
 
 @pytest.fixture(scope="module")

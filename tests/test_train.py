@@ -21,7 +21,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from safetensors.numpy import load_file
 
-from optimus.data.curate import load_curation
+from optimus.data.curate import curate, load_curation
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError, DatasetError
@@ -34,7 +34,7 @@ from optimus.learn.schedule import RateConfig, StepPlan
 from optimus.learn.state import OptimiserConfig, TrainState
 from optimus.learn.train import Progress, TrainConfig, TrainingError, fresh_policy, train
 from optimus.learn.trunk import TransformerConfig
-from synthetic import make_dataset, make_episode
+from synthetic import CAMERAS, make_dataset, make_episode
 
 torch.set_num_threads(1)  # tests run in several processes
 
@@ -255,6 +255,25 @@ def test_a_run_of_an_earlier_version_that_kept_no_split_goes_on(dataset: Path, t
     train(dataset, tmp_path, replace(QUICK, steps=2), SMALL)
 
 
+def test_a_policy_of_an_earlier_version_that_did_not_aim_is_trained_on(dataset: Path, tmp_path: Path) -> None:
+    """And one that does is not, with data that do not tell where the hand is."""
+    train(dataset, tmp_path / "old", replace(QUICK, steps=2), replace(SMALL, aims=False))
+    config = json.loads((tmp_path / "old" / "config.json").read_text())
+    del config["policy"]["aims"], config["inputs"]["keypose"]
+    (tmp_path / "old" / "config.json").write_text(json.dumps(config))
+    assert not train(dataset, tmp_path / "on", replace(QUICK, steps=2), SMALL, initial=tmp_path / "old").aims
+    store = EpisodeStore.create(tmp_path / "handless", "square", CAMERAS, {"position_scale": 1.0})
+    for seed in range(4):
+        episode = make_episode(seed, 12)
+        seen = {name: array for name, array in episode.observations.items() if name != "robot0_eef_quat"}
+        store.write(replace(episode, observations=seen))
+    curate(store.path)
+    assert train(dataset, tmp_path / "new", replace(QUICK, steps=2), SMALL).aims
+    assert not train(store.path, tmp_path / "without", replace(QUICK, steps=2), SMALL).aims
+    with pytest.raises(CheckpointError, match="proprioception"):
+        train(store.path, tmp_path / "never", replace(QUICK, steps=2), SMALL, initial=tmp_path / "new")
+
+
 def test_what_cannot_be_learned_together_is_refused(dataset: Path, tmp_path: Path) -> None:
     blind = make_dataset(tmp_path / "blind", 4, 12, cameras=())
     with pytest.raises(DatasetError, match="holds no images"):
@@ -319,6 +338,7 @@ def test_it_learns_to_read_the_place_of_the_square(tmp_path: Path) -> None:
     train(dataset, tmp_path / "run", config, PolicyConfig(context=2))
     last = metrics.read(tmp_path / "run")[-1]
     assert last["held_out_location_error_mm"] < 20
+    assert last["held_out_aim_error_mm"] < 20  # where the hand will be; an answer that ignores the image is off by some 50 mm
     assert last["held_out_action_error_mm"] < 20
     assert math.isfinite(last["held_out_likelihood"])
 

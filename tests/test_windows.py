@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
+from optimus.data.keyposes import keyposes
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import DatasetError
@@ -107,3 +109,24 @@ def test_nan_in_a_file_is_found_when_it_is_loaded(tmp_path: Path) -> None:
     path.write_bytes(content)
     with pytest.raises(DatasetError, match=r"00000001\.safetensors: robot0_eef_pos holds NaN"):
         Windows(store, [0, 1], WindowConfig())
+
+
+@settings(max_examples=50)
+@given(gripper=st.lists(st.sampled_from([-1.0, 1.0]), min_size=1, max_size=12), seed=st.integers(0, 1000))
+def test_a_keypose_is_the_hands_at_the_next_change_of_the_gripper(gripper: list[float], seed: int) -> None:
+    """Found by walking on, step by step; the direction and the line by scipy, the line the same after half a turn."""
+    rng = np.random.default_rng(seed)
+    turns, places = Rotation.random(len(gripper), rng=rng), rng.normal(size=(len(gripper), 3))
+    found = keyposes(np.array(gripper), places, turns.as_quat())
+    about_its_own = turns * Rotation.from_euler("z", np.pi)
+    np.testing.assert_allclose(found, keyposes(np.array(gripper), places, about_its_own.as_quat()), atol=1e-6)
+    for step, keypose in enumerate(found):
+        stop = max(step, 1)
+        while stop < len(gripper) - 1 and gripper[stop] == gripper[stop - 1]:
+            stop += 1
+        stop = min(stop, len(gripper) - 1)
+        np.testing.assert_allclose(keypose[:3], places[stop], rtol=1e-6)
+        matrix = turns[stop].as_matrix()
+        np.testing.assert_allclose(keypose[3:6], matrix[:, 2], atol=1e-6)
+        line = np.outer(matrix[:, 1], matrix[:, 1])
+        np.testing.assert_allclose(keypose[6:], line[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]], atol=1e-6)

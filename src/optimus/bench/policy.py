@@ -15,6 +15,7 @@ from torch import Tensor
 from optimus.bench.config import Progress
 from optimus.bench.yardstick import plain_action, plain_loss, plainly
 from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, PROPRIOCEPTION, Observation
+from optimus.data.keyposes import KEYPOSE
 from optimus.data.windows import Batch
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.gradient import LossConfig, batch_loss, usual_runtime
@@ -112,7 +113,7 @@ def bench_policy_action(name: str, rounds: int, seed: int, compiled: bool, progr
 
 def made_up_inputs() -> PolicyInputs:
     """Two cameras and the usual proprioception."""
-    return PolicyInputs("stack", CAMERAS, dict(PROPRIOCEPTION), objects=2)
+    return PolicyInputs("stack", CAMERAS, dict(PROPRIOCEPTION), objects=2, keypose=KEYPOSE)
 
 
 def _batch(rng: np.random.Generator, config: PolicyConfig, runs: int, windows: int) -> Batch:
@@ -126,6 +127,7 @@ def _batch(rng: np.random.Generator, config: PolicyConfig, runs: int, windows: i
         actions=normal(7).clip(-0.9, 0.9),
         weight=np.ones(shape, np.float32),
         objects=normal(2, 3),
+        keyposes=normal(KEYPOSE),
         ahead=normal(config.head.chunk - 1, 7).clip(-0.9, 0.9),
     )
 

@@ -13,6 +13,7 @@ import numpy as np
 from optimus.bench.config import BenchConfig, Progress
 from optimus.collect import CollectConfig, collect
 from optimus.data.episode import IMAGE_SIZE
+from optimus.data.keyposes import KEYPOSE
 from optimus.render import Rig
 from optimus.statistics import quantiles
 from optimus.workers import available_cores
@@ -93,7 +94,7 @@ def bench_action(config: BenchConfig, progress: Progress) -> dict[str, Any]:
     observation, _ = env.reset(seed=config.seed)
     low = {k: v.shape[0] for k, v in observation.items() if v.ndim == 1}
     objects = len(env.world.scene.movable_names)
-    inputs = PolicyInputs(config.task, env.world.image_cameras, low, objects, env.action_size, config.control)
+    inputs = PolicyInputs(config.task, env.world.image_cameras, low, objects, env.action_size, config.control, keypose=KEYPOSE)
     policy = Policy(PolicyConfig(), inputs)
     agent = PolicyAgent(policy)
     for _ in range(20):

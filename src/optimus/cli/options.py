@@ -18,8 +18,9 @@ PresetName = Annotated[
     str,
     arg(
         metavar="PRESET",
-        help="quick, quick-mlp, quick-rnn, quick-bet (minutes on a CPU); optimus-30m, optimus-60m, optimus-100m, bc-mlp, bc-rnn, "
-        "bet (the paper's, with a ResNet-18 a camera); optimus-30m-locating (also taught where the objects are)",
+        help="quick, quick-mlp, quick-rnn, quick-bet (minutes on a CPU), also taught where the objects are and where the hand goes "
+        "next; quick-locating (the former alone); optimus-30m, optimus-60m, optimus-100m, bc-mlp, bc-rnn, bet (the paper's, with a "
+        "ResNet-18 a camera); optimus-30m-locating (also taught both)",
     ),
 ]
 RunFolder = Annotated[Path, Positional, arg(metavar="RUN", help="a policy's folder, from `optimus train`, or `pretrained:NAME`")]

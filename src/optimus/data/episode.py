@@ -54,6 +54,9 @@ orders them. Datasets hold them in `objects`."""
 OBJECT_TURNS = "object_turns"
 """... and how they are turned: the first two columns of each one's rotation `(6 k,)`."""
 
+HAND = {"robot0_eef_pos", "robot0_eef_quat"}
+"""Observations that tell where the hand is."""
+
 DOOR_ANGLES = "door_angles"
 """... and how far the doors are open `(d,)` [rad], where the scene has doors."""
 

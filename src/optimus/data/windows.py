@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from optimus.data.episode import DOOR_ANGLES, GRIPPER, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
+from optimus.data.episode import DOOR_ANGLES, GRIPPER, HAND, IMAGE_SUFFIX, OBJECT_POSITIONS, OBJECT_TURNS
 from optimus.data.episode_file import OBSERVATION_PREFIX, STATES, EpisodeHeader, require_finite
 from optimus.data.frames import Frames
+from optimus.data.keyposes import keyposes
 from optimus.data.store import EpisodeStore
 from optimus.data.turns import as_columns, door_columns, doors_of, rotations_of, says_rotations
 from optimus.errors import DatasetError
@@ -66,6 +67,8 @@ class Batch:
     """`(B, F)`: weight of each label; 0 where the frame only repeats the first one of its episode."""
     objects: NDArray[np.float32]
     """`(B, F, k, 3)` [m]; NaN for those that the scene of an episode does not have."""
+    keyposes: NDArray[np.float32]
+    """`(B, F, 12)`: where the hand goes next (`keyposes.py`); `(B, F, 0)` where nobody recorded the hand."""
     ahead: NDArray[np.float32]
     """`(B, F, ahead, n)`: the labels of the steps after each frame; after the last step, its own again."""
 
@@ -79,6 +82,7 @@ class Track:
     actions: NDArray[np.float32]
     weight: NDArray[np.float32]
     objects: NDArray[np.float32]
+    keyposes: NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,11 +126,11 @@ class Windows:
         self.starts = np.cumsum(self.lengths) - self.lengths
         """Of each track, in the arrays of all."""
         joined = lambda arrays: np.concatenate(list(arrays))  # noqa: E731
-        self.actions, self.weight, self.objects = (
-            joined(getattr(t, name) for t in self.tracks) for name in ("actions", "weight", "objects")
+        self.actions, self.weight, self.objects, self.keyposes = (
+            joined(getattr(t, name) for t in self.tracks) for name in ("actions", "weight", "objects", "keyposes")
         )
         """Of all steps: labels `(labels, n)`, their weights `(labels,)`, positions of objects [m] `(labels, k, 3)`, NaN where an
-        episode has fewer."""
+        episode has fewer, and where the hand goes next `(labels, 12)`, or `(labels, 0)`."""
         self.proprioception = {name: joined(t.proprioception[name] for t in self.tracks) for name in self.tracks[0].proprioception}
         """All low-dimensional observations, name -> `(labels, n)`."""
 
@@ -180,6 +184,7 @@ class Windows:
             actions=self.actions[steps],
             weight=self.weight[steps] * places.inside,
             objects=self.objects[steps],
+            keyposes=self.keyposes[steps],
             ahead=self.actions[places.following],
         )
 
@@ -228,7 +233,10 @@ def _track(
         if doors:
             angles = doors_of(header)  # a door that a scene does not have is shut
             proprioception[DOOR_ANGLES] = np.pad(angles, ((0, 0), (0, doors - angles.shape[1]))).astype(np.float32)
-    return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places)
+    aims = np.empty((len(actions), 0), np.float32)
+    if low.keys() >= HAND:
+        aims = keyposes(actions[:, GRIPPER], low["robot0_eef_pos"], low["robot0_eef_quat"])
+    return Track(images, proprioception, actions, _label_weight(actions[:, GRIPPER], config), places, aims)
 
 
 def _turns(header: EpisodeHeader, objects: int) -> NDArray[np.float32]:

@@ -26,6 +26,7 @@ class TensorBatch:
     actions: Tensor
     weight: Tensor
     objects: Tensor
+    keyposes: Tensor
     ahead: Tensor
 
     @property
@@ -51,7 +52,8 @@ def on_device(batch: Batch | TensorBatch, device: torch.device) -> TensorBatch:
         {name: send(array) for name, array in arrays.items()}
         for arrays in (batch.images, batch.shifts, batch.proprioception)
     )
-    return TensorBatch(images, shifts, low, send(batch.actions), send(batch.weight), send(batch.objects), send(batch.ahead))
+    names = ("actions", "weight", "objects", "keyposes", "ahead")
+    return TensorBatch(images, shifts, low, *(send(getattr(batch, name)) for name in names))
 
 
 class ResidentWindows:
@@ -62,7 +64,8 @@ class ResidentWindows:
         joined = lambda arrays: torch.cat([torch.from_numpy(np.array(a)).to(device) for a in arrays])  # noqa: E731
         self._images = {c: joined([t.images[c] for t in windows.tracks]) for c in windows.cameras}
         self._low = {name: self._there(values) for name, values in windows.proprioception.items()}
-        self._actions, self._weight, self._objects = map(self._there, (windows.actions, windows.weight, windows.objects))
+        self._actions, self._weight = self._there(windows.actions), self._there(windows.weight)
+        self._objects, self._keyposes = self._there(windows.objects), self._there(windows.keyposes)
 
     def sample(self, rng: np.random.Generator, runs: int) -> TensorBatch:
         """See `Windows.sample`."""
@@ -88,6 +91,7 @@ class ResidentWindows:
             actions=self._actions[frames],
             weight=self._weight[frames] * drawn["inside"],
             objects=self._objects[frames],
+            keyposes=self._keyposes[frames],
             ahead=self._actions[drawn["following"]],
         )
 

@@ -67,7 +67,7 @@ class LossConfig:
     supervise: Literal["all", "last"] = "all"
     """Learn the actions at all frames of a window (contexts of 1 to 8 frames) or only that at its last."""
     location_weight: float = 30.0
-    """Weight of the auxiliary error of the objects' positions, decoded from single frames.
+    """Weight of the auxiliary errors: of the objects' positions, and of where the hand goes next, decoded from single frames.
 
     The gradient of the likelihood is some hundred times as long, and clipped: at a weight of 1 this one is lost.
     """
@@ -133,8 +133,8 @@ class GradientWorkers:
     def gradient(self, step: int) -> tuple[Tensor, list[Tensor]]:
         """Losses and gradient at the current weights, on the batch of this step: the same in every process.
 
-        The losses are means over the labels, `(2,)`: the head's (of a mixture: negative log-likelihood), and that of the objects'
-        positions. All may be overwritten by the next call; on a GPU nothing has been waited for.
+        The losses are means over the labels, `(2,)`: the head's (of a mixture: negative log-likelihood), and the errors of what is
+        said besides. All may be overwritten by the next call; on a GPU nothing has been waited for.
         """
         share = self.runtime.accumulate
         first = self.ranks.rank * share
@@ -192,8 +192,7 @@ class GradientWorkers:
 def batch_loss(
     policy: Policy, batch: Batch | TensorBatch, config: LossConfig, noise: torch.Generator | None, half: bool
 ) -> tuple[Tensor, Tensor]:
-    """Mean loss of the head over a batch's labels (of a mixture: negative log-likelihood), and mean error of its objects'
-    positions."""
+    """Mean loss of the head over a batch's labels (of a mixture: negative log-likelihood), and mean error of the auxiliary ones."""
     seen = on_device(batch, policy.action_scale.device)
     # One crop for a run of frames.
     count = seen.actions.shape[1]
@@ -207,9 +206,12 @@ def batch_loss(
         features, actions, weight = features[:, -1:], actions[:, -1:], weight[:, -1:]
     loss = policy.head.loss(features, policy.normalise(actions), noise)
     likelihood = (loss * weight).sum() / weight.sum().clamp(min=1)
-    if config.location_weight == 0 or not policy.locates:
-        return likelihood, torch.zeros_like(likelihood)
-    return likelihood, policy.location_error(frames, seen.objects).mean()
+    location = torch.zeros_like(likelihood)
+    if config.location_weight and policy.locates:
+        location = location + policy.location_error(frames, seen.objects).mean()
+    if config.location_weight and policy.aims:
+        location = location + policy.aim_error(frames, seen.keyposes).mean()
+    return likelihood, location
 
 
 def windows_of(frames: Tensor, context: int) -> Tensor:

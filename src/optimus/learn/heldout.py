@@ -22,8 +22,8 @@ def held_out(policy: Policy, windows: Windows, runs: int, position_scale: float 
 
     `action_error`: mean distance in position (under joint control: of the joints), in units of the action;
     `action_error_mm`: the same [mm] if the action's scale [m] is known; `gripper_right`: share of gripper answers
-    with the label's sign; `likelihood`: mean loss of the head (of a mixture: negative log-likelihood); `location_error_mm`: mean
-    distance of the auxiliary answer, if the policy has one.
+    with the label's sign; `likelihood`: mean loss of the head (of a mixture: negative log-likelihood); `location_error_mm` and
+    `aim_error_mm`: mean distance of the objects' places, and of where the hand goes next, if the policy says so.
     """
     indices = np.unique(np.linspace(0, len(windows) - 1, min(runs, len(windows))).astype(int))
     rows = [_errors(policy, windows, part) for part in np.array_split(indices, -(-len(indices) // _RUNS_AT_ONCE))]
@@ -52,4 +52,7 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
         place = policy.located(frames[:, -1]) * policy.objects_deviation + policy.objects_mean
         off = place.unflatten(-1, (-1, 3)) - batch.objects[:, -1]
         errors["location_error_mm"] = 1000 * distance(off).nanmean(-1)
+    if policy.aims:
+        aim = policy.aimed(frames[:, -1]) * policy.keypose_deviation + policy.keypose_mean
+        errors["aim_error_mm"] = 1000 * distance((aim - batch.keyposes[:, -1])[:, :3])
     return errors

@@ -12,13 +12,14 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
-from optimus.data.episode import IMAGE_SIZE, OBJECT_POSITIONS, OBJECT_TURNS, OSC, TASKS_OWN, arm_parts
+from optimus.data.episode import HAND, IMAGE_SIZE, OBJECT_POSITIONS, OBJECT_TURNS, OSC, TASKS_OWN, arm_parts
 from optimus.data.windows import WindowConfig, Windows
 from optimus.learn.encoder import Encoder, EncoderConfig, ResNetConfig, encoder_config
 from optimus.learn.heads import Answers, Head, HeadConfig, MixtureConfig, head_config
 from optimus.learn.trunk import TransformerConfig, Trunk, TrunkConfig, trunk_config
 
 _SMALLEST_DEVIATION = 1e-3  # of proprioception [m or 1]: what hardly varies is not blown up
+_SMALLEST_AIM = 0.03  # of where the hand goes [m or 1]
 
 
 @dataclass(frozen=True)
@@ -36,11 +37,14 @@ class PolicyConfig:
     """See with cameras, or be told where the objects are (the paper's ablation)."""
     locates: bool = True
     """Whether an auxiliary head says where the objects are, given images."""
+    aims: bool = True
+    """Whether another says where the hand goes next, given images."""
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyConfig:
         """The inverse of `dataclasses.asdict`, from parsed JSON."""
         rest = {k: v for k, v in value.items() if k not in ("encoder", "trunk", "head")}
+        rest = {"aims": False, **rest}  # earlier versions did not
         encoder, trunk = encoder_config(value["encoder"]), trunk_config(value["trunk"])
         return cls(**rest, encoder=encoder, trunk=trunk, head=head_config(value["head"]))
 
@@ -70,6 +74,8 @@ class PolicyInputs:
     """Height and width of the images [pixels], of which the middle is seen; None where cameras differ."""
     views: tuple[dict[str, Any], ...] = ()
     """Those of the cameras that the task's scene does not have, as `RENDERED` settings tell of them."""
+    keypose: int = 0
+    """Numbers that say where the hand goes next (`keyposes.py`), for a head that is taught so; 0 where nobody recorded it."""
 
     @property
     def told(self) -> bool:
@@ -88,13 +94,14 @@ class PolicyInputs:
         return arm_parts(self.control, self.actions)
 
     @classmethod
-    def of(cls, task: str, windows: Windows) -> PolicyInputs:
-        """The inputs that a dataset has."""
+    def of(cls, task: str, windows: Windows, aims: bool = True) -> PolicyInputs:
+        """The inputs that a dataset has, for a policy that `aims` or does not."""
         sizes = {name: array.shape[1] for name, array in windows.proprioception.items()}
         objects, actions = windows.objects.shape[1], windows.actions.shape[1]
         frames = set(windows.frame_shapes.values()) or {cls.frame}
         frame = frames.pop() if len(frames) == 1 else None
-        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot, frame, windows.views)
+        keypose = aims * windows.keyposes.shape[1]
+        return cls(task, windows.cameras, sizes, objects, actions, windows.control, windows.robot, frame, windows.views, keypose)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> PolicyInputs:
@@ -111,6 +118,8 @@ class Policy(nn.Module):
     low_deviation: Tensor
     objects_mean: Tensor
     objects_deviation: Tensor
+    keypose_mean: Tensor
+    keypose_deviation: Tensor
     action_scale: Tensor
 
     def __init__(self, config: PolicyConfig, inputs: PolicyInputs) -> None:
@@ -120,18 +129,19 @@ class Policy(nn.Module):
         low = sum(_width(name, n) for name, n in inputs.proprioception.items()) + inputs.told_from_hand
         self.looked = config.encoder.features * len(inputs.cameras)
         seen = self.looked + low
-        # Where the objects are said to be is told to the trunk outright, at unit scale: it is in the features
-        # too, but small among them, and took the trunk many times as many steps to find there.
+        # Where the objects are said to be, and where the hand goes next, is told to the trunk outright, at unit scale: it is in
+        # the features too, but small among them, and took the trunk many times as many steps to find there.
         self.locates = config.locates and bool(inputs.cameras) and inputs.objects > 0  # imported data may know of no objects
-        self.embed = nn.Linear(seen + 3 * inputs.objects * self.locates, config.trunk.token)
+        self.aims = config.aims and bool(inputs.cameras) and inputs.keypose > 0
+        says = 3 * inputs.objects * self.locates + inputs.keypose * self.aims
+        self.embed = nn.Linear(seen + says, config.trunk.token)
         self.trunk: Trunk = config.trunk.build(config.context)
         self.head: Head = config.head.build(config.trunk.width, inputs.actions)
         # From the images alone: the hand is where the object is for most of an episode, and told where the hand is, this
         # would never learn to look (docs/results/first-policies.md).
-        self.locate = nn.Sequential()
-        if self.locates:
-            self.locate.extend([nn.Linear(self.looked, 128), nn.GELU(), nn.Linear(128, 3 * inputs.objects)])
-        for name, size in (("low", low), ("objects", 3 * inputs.objects)):
+        self.locate = _says(self.looked, 3 * inputs.objects * self.locates)
+        self.aim = _says(self.looked, inputs.keypose * self.aims)
+        for name, size in (("low", low), ("objects", 3 * inputs.objects), *([("keypose", inputs.keypose)] if self.aims else [])):
             self.register_buffer(f"{name}_mean", torch.zeros(size))
             self.register_buffer(f"{name}_deviation", torch.ones(size))
         self.register_buffer("action_scale", torch.ones(inputs.actions))
@@ -146,6 +156,10 @@ class Policy(nn.Module):
             deviation = (values - mean).square().nanmean(0).sqrt()
             getattr(self, f"{name}_mean").copy_(mean)
             getattr(self, f"{name}_deviation").copy_(deviation.clamp(min=_SMALLEST_DEVIATION))
+        if self.aims:
+            aims = torch.from_numpy(windows.keyposes).double()
+            self.keypose_mean.copy_(aims.mean(0))
+            self.keypose_deviation.copy_(aims.std(0).clamp(min=_SMALLEST_AIM))
         # One scale for all of position and one for all of rotation (or one for all joints), so that directions are kept; +-0.9
         # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)
@@ -175,8 +189,8 @@ class Policy(nn.Module):
 
     def tokens(self, frames: Tensor) -> Tensor:
         """Frame features `(..., m)` to tokens `(..., width)`."""
-        told = (self.located(frames).detach().clamp(-5, 5),) if self.locates else ()
-        return self.embed(torch.cat([frames, *told], -1))
+        says = [head(frames) for head, used in ((self.located, self.locates), (self.aimed, self.aims)) if used]
+        return self.embed(torch.cat([frames, *(said.detach().clamp(-5, 5) for said in says)], -1))
 
     def token(self, images: Mapping[str, Tensor], proprioception: Mapping[str, Tensor]) -> Tensor:
         """Images `(1, crop, crop, 3)` uint8 by camera and proprioception `(1, n)` by name of a frame to its token `(1, token)`."""
@@ -209,6 +223,15 @@ class Policy(nn.Module):
         error = F.smooth_l1_loss(self.located(frames), target.where(there, 0.0), reduction="none", beta=0.1)
         return (error * there).sum(-1) / there.sum(-1).clamp(min=1)
 
+    def aimed(self, frames: Tensor) -> Tensor:
+        """Frame features `(..., m)` to the normalised keypose `(..., 12)`."""
+        return self.aim(frames[..., : self.looked])
+
+    def aim_error(self, frames: Tensor, keyposes: Tensor) -> Tensor:
+        """Smooth absolute error `(...)` of where the hand is said to go, from frame features and keyposes `(..., 12)`."""
+        target = (keyposes - self.keypose_mean) / self.keypose_deviation
+        return F.smooth_l1_loss(self.aimed(frames), target, reduction="none", beta=0.1).mean(-1)
+
     @property
     def parameter_count(self) -> int:
         """Numbers that are learned."""
@@ -238,10 +261,6 @@ class Policy(nn.Module):
         return torch.cat(seen, -1)
 
 
-HAND = {"robot0_eef_pos", "robot0_eef_quat"}
-"""What tells where the hand is."""
-
-
 def _from_hand(told: Mapping[str, Tensor]) -> Tensor:
     """How the objects lie, as the hand has them before it: their places [m], and the columns that say how they are turned."""
     columns = _two_columns(told["robot0_eef_quat"]).unflatten(-1, (2, 3))
@@ -251,6 +270,11 @@ def _from_hand(told: Mapping[str, Tensor]) -> Tensor:
     if OBJECT_TURNS in told:
         vectors.append(told[OBJECT_TURNS].unflatten(-1, (-1, 3)))
     return (torch.cat(vectors, -2) @ to_base).flatten(-2)
+
+
+def _says(looked: int, numbers: int) -> nn.Sequential:
+    """What decodes so many numbers from what is seen; nothing if there are none."""
+    return nn.Sequential(nn.Linear(looked, 128), nn.GELU(), nn.Linear(128, numbers)) if numbers else nn.Sequential()
 
 
 def _is_quaternion(name: str) -> bool:

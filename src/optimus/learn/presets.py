@@ -60,13 +60,13 @@ def _head(name: HeadName, min_deviation: float) -> HeadConfig:
 
 def _papers(trunk: TransformerConfig | MLPConfig | LSTMConfig, context: int, head: HeadName = "gmm") -> Preset:
     """The vision and training of Tables D.1 and D.2 around a trunk."""
-    policy = PolicyConfig(context, encoder=ResNetConfig(), trunk=trunk, head=_head(head, PAPERS_DEVIATION), locates=False)
-    return Preset(policy, "paper")
+    policy = PolicyConfig(context, encoder=ResNetConfig(), trunk=trunk, head=_head(head, PAPERS_DEVIATION))
+    return Preset(replace(policy, locates=False, aims=False), "paper")
 
 
 def _locating(of: Preset) -> Preset:
     """What the small policies have besides."""
-    policy = replace(of.policy, locates=True, head=MixtureConfig())
+    policy = replace(of.policy, locates=True, aims=True, head=MixtureConfig())
     return replace(of, policy=policy, recipe="gpu")
 
 
@@ -82,11 +82,14 @@ def _gpt(layers: int, width: int, heads: int) -> TransformerConfig:
 
 PRESETS: dict[str, Preset] = {
     "quick": Preset(PolicyConfig()),
+    # As it was before it was taught where the hand goes next, to see what that is worth.
+    "quick-locating": Preset(PolicyConfig(aims=False)),
     "quick-mlp": _quick(MLPConfig(width=512), 1),
     "quick-rnn": _quick(LSTMConfig(width=256, token=128), 10),
     "quick-bet": _quick(TransformerConfig(), 10, "bet"),
     "optimus-30m": _papers(_gpt(6, 256, 8), 8),
-    # The same eyes and trunk, also taught where the objects are, with a mixture that is less narrow: few steps are enough then.
+    # The same eyes and trunk, also taught where the objects are and where the hand goes next, with a mixture that is less narrow:
+    # few steps are enough then.
     "optimus-30m-locating": _locating(_papers(_gpt(6, 256, 8), 8)),
     # The table's second column as it is written comes to 60 million weights; at this width the same layers come to 100.
     "optimus-60m": _papers(_gpt(12, 512, 16), 8),

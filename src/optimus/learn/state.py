@@ -38,7 +38,7 @@ class OptimiserConfig:
     """On matrices and convolutions only, unless `decay_all`."""
     decay_all: bool = False
     clip: float = 1.0
-    """Largest norm of the gradient: of what looks (encoders, locator) and of what acts, each by itself. The likelihood's
+    """Largest norm of the gradient: of what looks (encoders, auxiliary heads) and of what acts, each by itself. The likelihood's
     gradient varies by orders of magnitude; clipped together, it would drown what little the eyes are taught."""
     clip_apart: bool = True
     """False: of the whole gradient at once."""
@@ -57,7 +57,7 @@ class TrainState:
         self.average = copy.deepcopy(policy).requires_grad_(False)
         self.step, self.seconds = 0, 0.0
         self._parameters = [p for p in policy.parameters() if p.requires_grad]
-        looks = {id(p) for part in (policy.encoders, policy.locate) for p in part.parameters()}
+        looks = {id(p) for part in (policy.encoders, policy.locate, policy.aim) for p in part.parameters()}
         acts = [p for p in self._parameters if id(p) not in looks]
         together = [p for p in self._parameters if id(p) in looks]
         self._clipped = [part for part in (together, acts) if part] if config.clip_apart else [self._parameters]

@@ -115,7 +115,7 @@ class _Trainer:
         cut = policy_config.cut(config.windows, config.change_weight, config.change_reach)
         lessons = Lessons.of(sources, cut, config.demonstrations)
         self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
-        inputs = PolicyInputs.of(lessons.task, self.windows)
+        inputs = PolicyInputs.of(lessons.task, self.windows, policy_config.aims)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
         if begun:
             require_same_inputs(begun, inputs, sources.initial)

@@ -37,6 +37,7 @@ PANELS = (
     ),
     Panel("Held-out error of the commanded position [mm]", {"held out": "held_out_action_error_mm"}),
     Panel("Held-out error of located objects [mm]", {"held out": "held_out_location_error_mm"}),
+    Panel("Held-out error of where the hand goes next [mm]", {"held out": "held_out_aim_error_mm"}),
     Panel("Training speed [labels/s]", {"training": "labels_per_second"}),
 )
 

@@ -80,6 +80,7 @@ def _task(name: str, summary: str, count: int) -> Task:
     return Task(name, summary, partial(draw, count), horizon=300 * count, draw_with=partial(draw_with, count))
 
 
+ONE = _task("pick-place-one", "basket into its bin", 1)  # a study's (docs/results/first-policies.md), not one of the paper's
 PICK_PLACE_TWO = _task("pick-place-two", "basket and vase, each into its bin", 2)
 PICK_PLACE_THREE = _task("pick-place-three", "basket, vase and magnet, each into its bin", 3)
 PICK_PLACE_FOUR = _task("pick-place-four", "basket, vase, magnet and cup, each into its bin", 4)
