@@ -176,9 +176,10 @@ def test_a_perceptron_sees_one_frame_and_a_memory_all_before() -> None:
         assert ((trunk(tokens) - trunk(changed)).abs().amax((0, 2)) > 1e-7).tolist() == [3 <= t < 3 + reach for t in range(8)]
 
 
-def test_the_likelihood_is_that_of_pytorchs_mixture() -> None:
+@pytest.mark.parametrize("most", [None, 0.1])
+def test_the_likelihood_is_that_of_pytorchs_mixture(most: float | None) -> None:
     torch.manual_seed(0)
-    head = MixtureConfig(min_deviation=1e-4).build(16, 7)
+    head = MixtureConfig(min_deviation=1e-4, max_deviation=most).build(16, 7)
     features, actions = torch.randn(9, 16), torch.rand(9, 7) - 0.5
     made = head(features)
     parts = torch.distributions.Independent(torch.distributions.Normal(made.mean, made.deviation), 1)

@@ -113,6 +113,9 @@ def test_deviations_have_a_floor_and_means_are_bounded() -> None:
     mixture = head(100 * torch.randn(50, 8))
     assert mixture.deviation.min() >= 0.03
     assert mixture.mean.abs().max() <= 1
+    bounded = MixtureHead(MixtureConfig(min_deviation=0.03, max_deviation=0.1), 8, 7)(100 * torch.randn(50, 8)).deviation
+    assert bounded[..., :6].min() >= 0.03 and bounded[..., :6].max() <= 0.1
+    assert bounded[..., 6].min() >= 0.03 and bounded[..., 6].max() > 1
 
 
 def test_a_position_sees_itself_and_those_before_it() -> None:

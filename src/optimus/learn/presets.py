@@ -14,8 +14,11 @@ from optimus.learn.trunk import LSTMConfig, MLPConfig, TransformerConfig
 HeadName = Literal["gmm", "gaussian", "mse", "flow", "bet"]
 Observe = Literal["images", "state"]
 
-PAPERS_DEVIATION = 1e-4
-"""Table D.1: the smallest deviation of a mixture's components."""
+PAPERS_MIXTURE = MixtureConfig(min_deviation=1e-4)
+"""Table D.1: five components, the smallest deviation of each."""
+
+SMALL_MIXTURE = MixtureConfig(min_deviation=0.03, max_deviation=0.1)
+"""For few steps: neither too narrow to be found, nor so wide that one component holds two ways."""
 
 
 @dataclass(frozen=True)
@@ -37,21 +40,20 @@ def preset(name: str, head: HeadName | None = None, observe: Observe = "images")
         raise UnknownNameError("head", head, get_args(HeadName))
     found = PRESETS[name]
     policy = replace(found.policy, observe=observe)
-    return replace(found, policy=policy if head is None else replace(policy, head=_head(head, _precision(found.policy))))
+    return replace(found, policy=policy if head is None else replace(policy, head=_head(head, _mixture(found.policy))))
 
 
-def _precision(policy: PolicyConfig) -> float:
-    """The smallest deviation of the preset's mixtures."""
-    of_papers = isinstance(policy.encoder, ResNetConfig)
-    return PAPERS_DEVIATION if of_papers else MixtureConfig().min_deviation
+def _mixture(policy: PolicyConfig) -> MixtureConfig:
+    """The mixture of the preset's kind."""
+    return SMALL_MIXTURE if policy.locates else PAPERS_MIXTURE
 
 
-def _head(name: HeadName, min_deviation: float) -> HeadConfig:
-    mixture = MixtureConfig(min_deviation=min_deviation)
+def _head(name: HeadName, mixture: MixtureConfig) -> HeadConfig:
+    alone = replace(mixture, modes=1, max_deviation=None)
     heads: dict[HeadName, HeadConfig] = {
         "gmm": mixture,
-        "gaussian": replace(mixture, modes=1),
-        "mse": replace(mixture, modes=1, fixed_deviation=1.0),
+        "gaussian": alone,
+        "mse": replace(alone, fixed_deviation=1.0),
         "flow": FlowConfig(),
         "bet": BeTConfig(),
     }
@@ -60,20 +62,19 @@ def _head(name: HeadName, min_deviation: float) -> HeadConfig:
 
 def _papers(trunk: TransformerConfig | MLPConfig | LSTMConfig, context: int, head: HeadName = "gmm") -> Preset:
     """The vision and training of Tables D.1 and D.2 around a trunk."""
-    policy = PolicyConfig(context, encoder=ResNetConfig(), trunk=trunk, head=_head(head, PAPERS_DEVIATION))
+    policy = PolicyConfig(context, encoder=ResNetConfig(), trunk=trunk, head=_head(head, PAPERS_MIXTURE))
     return Preset(replace(policy, locates=False, aims=False), "paper")
 
 
 def _locating(of: Preset) -> Preset:
     """What the small policies have besides."""
-    policy = replace(of.policy, locates=True, aims=True, head=MixtureConfig())
+    policy = replace(of.policy, locates=True, aims=True, head=SMALL_MIXTURE)
     return replace(of, policy=policy, recipe="gpu")
 
 
 def _quick(trunk: TransformerConfig | MLPConfig | LSTMConfig, context: int, head: HeadName = "gmm") -> Preset:
     """The small vision around a trunk."""
-    small = MixtureConfig().min_deviation
-    return Preset(PolicyConfig(context, encoder=EncoderConfig(), trunk=trunk, head=_head(head, small)))
+    return Preset(PolicyConfig(context, encoder=EncoderConfig(), trunk=trunk, head=_head(head, SMALL_MIXTURE)))
 
 
 def _gpt(layers: int, width: int, heads: int) -> TransformerConfig:
@@ -81,9 +82,9 @@ def _gpt(layers: int, width: int, heads: int) -> TransformerConfig:
 
 
 PRESETS: dict[str, Preset] = {
-    "quick": Preset(PolicyConfig()),
-    # As it was before it was taught where the hand goes next, to see what that is worth.
-    "quick-locating": Preset(PolicyConfig(aims=False)),
+    "quick": _quick(TransformerConfig(), 8),
+    # As it was before it was taught where the hand goes next and had components of a largest deviation, to see what that is worth.
+    "quick-locating": Preset(PolicyConfig(aims=False, head=MixtureConfig())),
     "quick-mlp": _quick(MLPConfig(width=512), 1),
     "quick-rnn": _quick(LSTMConfig(width=256, token=128), 10),
     "quick-bet": _quick(TransformerConfig(), 10, "bet"),

@@ -43,6 +43,9 @@ class MixtureConfig(NextAction):
     modes: int = 5
     min_deviation: float = 0.03
     """Smallest deviation, in normalised units: the likelihood of what hardly varies cannot explode."""
+    max_deviation: float | None = None
+    """If given, the largest deviation of the arm's part: a component that may be wide covers two ways at once, to the left and to
+    the right, and means neither. The gripper's stays free, for nobody answers with the mean of that."""
     gripper_weight: float = 1.0
     """Weight of the gripper's log-density beside that of each other dimension."""
     fixed_deviation: float | None = None
@@ -114,10 +117,17 @@ class MixtureHead(nn.Module):
         """`(..., width)` to a mixture, in float32."""
         k, n = self.config.modes, self.actions
         mean, spread, logits = self.parameters_of(features).float().split([k * n, k * n, k], dim=-1)
-        deviation = F.softplus(spread) + self.config.min_deviation
+        return Mixture(logits, torch.tanh(mean.unflatten(-1, (k, n))), self._deviation(spread.unflatten(-1, (k, n))))
+
+    def _deviation(self, spread: Tensor) -> Tensor:
+        least, most = self.config.min_deviation, self.config.max_deviation
         if self.config.fixed_deviation is not None:
-            deviation = torch.full_like(deviation, self.config.fixed_deviation)
-        return Mixture(logits, torch.tanh(mean.unflatten(-1, (k, n))), deviation.unflatten(-1, (k, n)))
+            return torch.full_like(spread, self.config.fixed_deviation)
+        deviation = F.softplus(spread) + least
+        if most is None:
+            return deviation
+        arm = least + (most - least) * torch.sigmoid(spread[..., :GRIPPER])
+        return torch.cat([arm, deviation[..., GRIPPER:]], -1)
 
     def fit(self, actions: NDArray[np.float32]) -> None:
         """Nothing to be known beforehand."""
