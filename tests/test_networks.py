@@ -275,6 +275,11 @@ def test_every_trunk_goes_with_every_head(name: str, head: str | None, store: Ep
     assert action.shape == (7,) and abs(action[6]) == 1
 
 
+@pytest.mark.parametrize("name", ["quick", "quick-locating", "optimus-30m", "optimus-30m-locating"])
+def test_a_mixture_asked_for_by_name_is_the_presets_own(name: str) -> None:
+    assert preset(name, "gmm").policy == preset(name).policy
+
+
 def test_unknown_names_are_listed() -> None:
     with pytest.raises(UnknownNameError, match="bc-mlp"):
         preset("optimus-31m")

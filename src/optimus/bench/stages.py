@@ -87,7 +87,8 @@ def bench_action(config: BenchConfig, progress: Progress) -> dict[str, Any]:
     import torch
 
     from optimus.learn.agent import PolicyAgent
-    from optimus.learn.policy import Policy, PolicyConfig, PolicyInputs
+    from optimus.learn.policy import Policy, PolicyInputs
+    from optimus.learn.presets import preset
 
     torch.set_num_threads(1)
     env = config.env(images=True)
@@ -95,7 +96,7 @@ def bench_action(config: BenchConfig, progress: Progress) -> dict[str, Any]:
     low = {k: v.shape[0] for k, v in observation.items() if v.ndim == 1}
     objects = len(env.world.scene.movable_names)
     inputs = PolicyInputs(config.task, env.world.image_cameras, low, objects, env.action_size, config.control, keypose=KEYPOSE)
-    policy = Policy(PolicyConfig(), inputs)
+    policy = Policy(preset("quick").policy, inputs)
     agent = PolicyAgent(policy)
     for _ in range(20):
         agent.act(observation)

@@ -151,15 +151,12 @@ class Policy(nn.Module):
         """Set the normalisation statistics from all steps of some episodes."""
         low = self._low({n: torch.from_numpy(a) for n, a in windows.proprioception.items()}).double()
         objects = torch.from_numpy(windows.objects).flatten(1).double()
-        for name, values in (("low", low), ("objects", objects)):
+        aims = [("keypose", torch.from_numpy(windows.keyposes).double(), _SMALLEST_AIM)] if self.aims else []
+        for name, values, least in (("low", low, _SMALLEST_DEVIATION), ("objects", objects, _SMALLEST_DEVIATION), *aims):
             mean = values.nanmean(0)
             deviation = (values - mean).square().nanmean(0).sqrt()
             getattr(self, f"{name}_mean").copy_(mean)
-            getattr(self, f"{name}_deviation").copy_(deviation.clamp(min=_SMALLEST_DEVIATION))
-        if self.aims:
-            aims = torch.from_numpy(windows.keyposes).double()
-            self.keypose_mean.copy_(aims.mean(0))
-            self.keypose_deviation.copy_(aims.std(0).clamp(min=_SMALLEST_AIM))
+            getattr(self, f"{name}_deviation").copy_(deviation.clamp(min=least))
         # One scale for all of position and one for all of rotation (or one for all joints), so that directions are kept; +-0.9
         # because the means pass through a tanh. The gripper is +-1 already.
         largest = np.abs(windows.actions).max(0)

@@ -44,7 +44,9 @@ def preset(name: str, head: HeadName | None = None, observe: Observe = "images")
 
 
 def _mixture(policy: PolicyConfig) -> MixtureConfig:
-    """The mixture of the preset's kind."""
+    """The preset's own mixture, or where it has another head, that of its kind."""
+    if isinstance(policy.head, MixtureConfig):
+        return policy.head
     return SMALL_MIXTURE if policy.locates else PAPERS_MIXTURE
 
 
