@@ -156,6 +156,7 @@ CHILD = """
 import sys; sys.path.insert(0, {tests!r})
 from test_train import QUICK, SMALL, train
 train({dataset!r}, {run!r}, QUICK, SMALL, lambda p: print(p.step, flush=True))
+assert "torch._dynamo" not in sys.modules, "the compiler is loaded: seconds of every start"
 """
 
 

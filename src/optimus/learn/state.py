@@ -17,6 +17,7 @@ import torch
 from safetensors import SafetensorError, safe_open
 from safetensors.torch import save as serialise
 from torch import Tensor, nn
+from torch.optim.adamw import adamw
 
 from optimus.data.atomic import make_folder, remove_leftovers, write_whole
 from optimus.errors import CheckpointError, require_below_one
@@ -56,26 +57,24 @@ class TrainState:
         self.policy, self.config, self.plan = policy, config, plan
         self.average = copy.deepcopy(policy).requires_grad_(False)
         self.step, self.seconds = 0, 0.0
-        self._parameters = [p for p in policy.parameters() if p.requires_grad]
+        self._parameters = {name: p for name, p in policy.named_parameters() if p.requires_grad}
+        self._moments = {name: {moment: torch.zeros_like(p) for moment in _MOMENTS} for name, p in self._parameters.items()}
         looks = {id(p) for part in (policy.encoders, policy.locate, policy.aim) for p in part.parameters()}
-        acts = [p for p in self._parameters if id(p) not in looks]
-        together = [p for p in self._parameters if id(p) in looks]
-        self._clipped = [part for part in (together, acts) if part] if config.clip_apart else [self._parameters]
-        matrices = [p for p in self._parameters if p.ndim >= 2 or config.decay_all]
-        vectors = [p for p in self._parameters if p.ndim < 2 and not config.decay_all]
-        groups = [{"params": matrices, "weight_decay": config.weight_decay}, {"params": vectors, "weight_decay": 0.0}]
-        # Never `fused=True`: on a CPU it pairs weights and gradients by their place in memory, and a channels-last convolution
-        # whose gradient is not channels last is moved in scrambled directions, without a word (PyTorch 2.13).
-        self.optimiser = torch.optim.AdamW(groups, foreach=True)
+        acts = [p for p in self._parameters.values() if id(p) not in looks]
+        together = [p for p in self._parameters.values() if id(p) in looks]
+        clipped_apart = [part for part in (together, acts) if part]
+        self._clipped = clipped_apart if config.clip_apart else [list(self._parameters.values())]
+        decayed = {name: p.ndim >= 2 or config.decay_all for name, p in self._parameters.items()}
+        self._decays = [(config.weight_decay, [name for name, so in decayed.items() if so])]
+        self._decays.append((0.0, [name for name, so in decayed.items() if not so]))
 
     def update(self, gradient: list[Tensor], rate: float) -> Tensor:
         """Take one step down the gradient; the norms before clipping of its parts are returned, `(1,)` or `(2,)`."""
-        for parameter, g in zip(self._parameters, gradient, strict=True):
+        for parameter, g in zip(self._parameters.values(), gradient, strict=True):
             parameter.grad = g
         norms = torch.stack([nn.utils.clip_grad_norm_(part, self.config.clip) for part in self._clipped])
-        for group in self.optimiser.param_groups:
-            group["lr"] = rate
-        self.optimiser.step()
+        with torch.no_grad():
+            self._descend(rate)
         self.step += 1
         # Early on a short memory: the first weights are random and not worth averaging in.
         decay = min(self.config.average, (1 + self.step) / (10 + self.step))
@@ -84,6 +83,20 @@ class TrainState:
                 list(self.average.parameters()), list(self.policy.parameters()), 1 - decay
             )
         return norms
+
+    def _descend(self, rate: float) -> None:
+        """AdamW by its functional form: the first `torch.optim.Optimizer` of a process loads the compiler, in 3 s of CPU.
+
+        Never `fused=True`: on a CPU it pairs weights and gradients by their place in memory, and a channels-last convolution whose
+        gradient is not channels last is moved in scrambled directions, without a word (PyTorch 2.13).
+        """
+        for decay, names in self._decays:
+            weights: list[Tensor] = [self._parameters[name] for name in names]
+            gradient = [weight.grad for weight in weights if weight.grad is not None]
+            averages, squares = ([self._moments[name][moment] for name in names] for moment in _MOMENTS)
+            steps = [torch.tensor(float(self.step)) for _ in names]
+            usual = {"beta1": 0.9, "beta2": 0.999, "eps": 1e-8, "amsgrad": False, "maximize": False}
+            adamw(weights, gradient, averages, squares, [], steps, foreach=True, lr=rate, weight_decay=decay, **usual)
 
     def save(self, folder: Path) -> None:
         """Write the state, then delete the older ones."""
@@ -107,7 +120,7 @@ class TrainState:
         facts, tensors = _facts(file), read_tensors(file)
         load_weights(self.policy, _part(tensors, "raw."), file)
         load_weights(self.average, _part(tensors, "average."), file)
-        self._load_moments(_part(tensors, "moments."), file, int(facts["step"]))
+        self._load_moments(_part(tensors, "moments."), file)
         self._take_facts(facts)
         return True
 
@@ -115,7 +128,7 @@ class TrainState:
         """Take over the state of the first of several processes."""
         facts, tensors = ranks.agree(self._facts()), self._tensors()
         ranks.take_firsts(tensors.values())
-        self._load_moments(_part(tensors, "moments."), Path("rank 0"), int(facts["step"]))
+        self._load_moments(_part(tensors, "moments."), Path("rank 0"))
         self._take_facts(facts)
 
     def _facts(self) -> dict[str, Any]:
@@ -128,23 +141,17 @@ class TrainState:
     def _tensors(self) -> dict[str, Tensor]:
         tensors = {f"raw.{name}": value for name, value in self.policy.state_dict().items()}
         tensors |= {f"average.{name}": value for name, value in self.average.state_dict().items()}
-        for name, parameter in self.policy.named_parameters():
-            for moment in _MOMENTS:
-                value = self.optimiser.state[parameter].get(moment)
-                tensors[f"moments.{name}.{moment}"] = torch.zeros_like(parameter) if value is None else value
+        for name, moments in self._moments.items():
+            tensors |= {f"moments.{name}.{moment}": value for moment, value in moments.items()}
         return tensors
 
-    def _load_moments(self, tensors: dict[str, Tensor], file: Path, step: int) -> None:
-        for name, parameter in self.policy.named_parameters():
-            values = {}
+    def _load_moments(self, tensors: dict[str, Tensor], file: Path) -> None:
+        for name, parameter in self._parameters.items():
             for moment in _MOMENTS:
                 value = tensors.get(f"{name}.{moment}")
                 if value is None or value.shape != parameter.shape:
                     raise CheckpointError(f"{file}: the optimiser's {moment} of {name} is missing or misshapen; train again")
-                # In the layout of the parameter (channels last), as the optimiser made them.
-                values[moment] = torch.empty_like(parameter).copy_(value).requires_grad_(False)
-            if step > 0:
-                self.optimiser.state[parameter] = {"step": torch.tensor(float(step)), **values}
+                self._moments[name][moment].copy_(value)  # in the layout of the parameter (channels last)
 
 
 def _facts(file: Path) -> dict[str, Any]:
