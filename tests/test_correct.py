@@ -49,6 +49,8 @@ def test_a_policy_is_corrected_with_the_gripper_that_it_was_taught(taught: tuple
     (run / "config.json").write_text(json.dumps(config))
     with pytest.raises(CheckpointError, match="gripper 'continuous', not 'binary'"):
         collect(CollectConfig("stack", tmp_path / "data", 1, turns=Turns(run)))
+    with pytest.raises(CheckpointError, match="task 'stack', not 'pick-place'"):
+        collect(CollectConfig("pick-place", tmp_path / "data", 1, turns=Turns(run)))
     env = ManipulationEnv(SHORT, gripper="continuous")
     always = partial(Corrections, Turns(run, policy_steps=1e9, expert_steps=1.0))
     episode = demonstrate(env, 3, ExpertConfig(law=TimeLaw(gripper="continuous")), always).episode

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
@@ -17,9 +18,12 @@ from optimus.dagger import DaggerConfig, dagger
 from optimus.data.curate import curate
 from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
+from optimus.exchange.robomimic import RobomimicConfig, export_robomimic
+from optimus.exchange.robomimic_import import import_robomimic
 from optimus.learn.gradient import LossConfig, Runtime
 from optimus.learn.presets import preset
 from optimus.learn.train import TrainConfig
+from optimus.rerender import RenderConfig, rerender
 from optimus.statistics import wilson
 from optimus.tasks.stack import STACK
 from test_train import Stop, assert_same_bits
@@ -105,6 +109,18 @@ def test_a_policy_that_is_told_is_corrected_without_images(tmp_path: Path) -> No
     assert any(np.any(e.actions != e.executed) for e in episodes)
     shown = EpisodeStore.open(tmp_path / "data")
     assert all(e.observations.keys() == shown.read(shown.seeds[0]).observations.keys() for e in episodes)
+
+
+def test_what_rounds_cannot_add_to_is_refused_before_anything_is_trained(taught: tuple[Path, Path], tmp_path: Path) -> None:
+    export_robomimic(taught[0], tmp_path / "d.hdf5", RobomimicConfig(states=False))
+    with h5py.File(tmp_path / "d.hdf5", "r+") as file:
+        del file["data"].attrs["optimus"]
+    import_robomimic(tmp_path / "d.hdf5", tmp_path / "imported")
+    rerender(taught[0], tmp_path / "one", RenderConfig(cameras=("agentview",)), workers=1)
+    for folder, why in (("imported", "was imported"), ("one", "is seen by agentview, what rounds add by agentview, robot0")):
+        with pytest.raises(DatasetError, match=why):
+            dagger(tmp_path / folder, tmp_path / "run", LESSON, ROUNDS)
+        assert not (tmp_path / "run").exists()
 
 
 def test_as_many_plain_demonstrations_instead(

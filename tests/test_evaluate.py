@@ -147,7 +147,12 @@ def test_what_was_found_is_of_the_weights_that_it_says(taught: tuple[Path, Path]
     assert first.answered(run, seeds[:1]) is None and replace(first, component="likeliest").answered(run, seeds) is None
     replace(first, outcomes=first.outcomes[:1]).write(run)  # a shorter look takes nothing away
     assert first.answered(run, seeds) == first.as_dict()
-    assert (run / first.file_name).with_suffix(".jsonl").read_text() == first.lines
+    lines = (run / first.file_name).with_suffix(".jsonl")
+    assert lines.read_text() == first.lines
+    replace(first, outcomes=first.outcomes[:1]).write(run)
+    lines.unlink()  # killed between the two files
+    first.write(run)
+    assert first.answered(run, seeds) == first.as_dict() and lines.read_text() == first.lines
     policy = checkpoint.load(run)
     checkpoint.save(run, policy)  # perhaps in another order
     assert checkpoint.weights_of(run) == first.weights

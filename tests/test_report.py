@@ -26,6 +26,7 @@ from optimus.report import (
 )
 from optimus.show import Film as Recorder
 from optimus.show import png
+from optimus.summary import films_in
 from optimus.tasks import task
 
 PNG = b"\x89PNG\r\n\x1a\n not really"
@@ -167,6 +168,25 @@ def test_failures_stand_by_their_cause_with_their_films(full: ReportData) -> Non
     assert "dropped: 4 of 50 episodes" in failures and failures.count("<img") == 1
     films = page[page.index('id="films"') : page.index('id="failures"')]
     assert "seed 7" in films and "seed 8" not in films
+
+
+def test_evaluations_under_other_conditions_stand_by_themselves(full: ReportData) -> None:
+    pushed = replace(full.evaluations[0], successes=40, failures={"dropped": 10}, states="random", conditions="push+seed-1")
+    film = Film("seed 9: dropped", PNG, success=False, cause="dropped", evaluation=pushed.label)
+    page = render(replace(full, evaluations=[*full.evaluations, pushed], films=[film]))
+    assert "Policy, validation states" in page and "Policy, random states, push, seed-1" in page
+    first, second = page.index("dropped: 4 of 50 episodes"), page.index("dropped: 10 of 50 episodes")
+    assert page.index("seed 9: dropped", first) > second
+    beside = render_comparison({"a": replace(full, evaluations=[*full.evaluations, pushed])}, "")
+    assert "a, random states, push, seed-1: 10 of 50 failed" in beside and "4 of 50 failed" in beside
+
+
+def test_films_are_those_of_their_evaluation(tmp_path: Path) -> None:
+    outcome = {"seed": 7, "success": False, "cause": "dropped", "variant": ""}
+    for name in ("failure-000-7.mp4", "failure-000-7+push.mp4", ".tmp-failure-000-7.mp4", "success-000-7.mp4"):
+        (tmp_path / name).touch()
+    for how, name in (("", "failure-000-7.mp4"), ("push", "failure-000-7+push.mp4")):
+        assert [film.video.name for film in films_in(tmp_path, {"outcomes": [outcome]}, how)] == [name]
 
 
 def test_every_cause_gets_a_film() -> None:

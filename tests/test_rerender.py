@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from optimus.collect import CollectConfig, collect
-from optimus.data.curate import curate, load_curation
+from optimus.data.curate import CurationConfig, curate, load_curation
 from optimus.data.frustum import project
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
@@ -105,6 +105,13 @@ def test_the_first_cube_stays_red(states: EpisodeStore) -> None:
 
 def test_training_reads_what_was_rendered(states: EpisodeStore, tmp_path: Path) -> None:
     made = rerender(states.path, tmp_path, RenderConfig(depth=True, segmentation=True, randomise=1), workers=1)
+    curate(states.path)
+    rerender(states.path, tmp_path, RenderConfig(depth=True, segmentation=True, randomise=1), workers=1)
+    assert load_curation(tmp_path) == load_curation(states.path)
+    mine = curate(tmp_path, CurationConfig(validation_share=0.5))
+    rerender(states.path, tmp_path, RenderConfig(depth=True, segmentation=True, randomise=1), workers=1)
+    assert load_curation(tmp_path) == mine != load_curation(states.path)
+    (states.path / "curation.json").unlink()
     batch = Windows(made, made.seeds, WindowConfig()).sample(np.random.default_rng(0), 2)
     assert set(batch.images) == set(made.cameras)
     assert set(batch.proprioception) == {n for n, a in states.read(states.seeds[0]).observations.items() if a.ndim == 2}

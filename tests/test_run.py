@@ -23,7 +23,7 @@ from optimus.learn.train import TrainConfig, train
 from optimus.robots import PANDA
 from optimus.robots.catalogue import robot
 from optimus.run import Journal, RunConfig, run
-from optimus.summary import _command
+from optimus.summary import _command, summary_of
 from optimus.tasks.stack import STACK
 
 
@@ -135,6 +135,11 @@ def test_a_run_from_before_arms_were_recorded_goes_on(tmp_path: Path) -> None:
     assert Journal(config).value["config"] == config.about
     with pytest.raises(DatasetError, match="robot"):
         Journal(replace(config, robot=robot("ur5e")))
+    for damaged in ("", '{"seconds": {}}', "[1]"):
+        (tmp_path / "run.json").write_text(damaged)
+        for reader in (lambda: Journal(config), lambda: summary_of(tmp_path)):
+            with pytest.raises(DatasetError, match=r"run\.json"):
+                reader()
 
 
 def test_what_makes_no_sense_is_refused_before_anything_is_written(tmp_path: Path) -> None:

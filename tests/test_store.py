@@ -7,6 +7,7 @@ import json
 import os
 import platform
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -107,9 +108,28 @@ def test_foreign_files_are_named(store: EpisodeStore) -> None:
     with pytest.raises(DatasetError, match=r"00000002\.safetensors is not an episode file"):
         store.read(2)
     path.unlink()
+    store.write(make_episode(3))
+    shutil.copy(store.episode_path(3), store.episode_path(300))
+    with pytest.raises(DatasetError, match="is episode 3 by another's name"):
+        store.headers()
+    store.episode_path(300).unlink()
     (store.path / "episodes" / "notes.txt").write_text("")
     with pytest.raises(DatasetError, match=r"notes\.txt does not belong"):
         _ = store.seeds
+
+
+@pytest.mark.parametrize("shape", [[], [10**15, 7], [3, 7], "seven"])
+def test_a_header_that_does_not_fit_its_bytes_is_named(store: EpisodeStore, shape: object) -> None:
+    store.write(make_episode(3))
+    path = store.episode_path(3)
+    payload = path.read_bytes()
+    length = int.from_bytes(payload[:8], "little")
+    header = json.loads(payload[8 : 8 + length])
+    header["actions"]["shape"] = shape
+    text = json.dumps(header).encode()
+    path.write_bytes(len(text).to_bytes(8, "little") + text + payload[8 + length :])
+    with pytest.raises(DatasetError, match="is not an episode file or is damaged"):
+        store.header(3)
 
 
 def test_an_episode_of_another_task_is_refused(store: EpisodeStore) -> None:

@@ -25,7 +25,7 @@ from optimus.data.curate import curate, load_curation
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import CheckpointError, DatasetError
-from optimus.learn import metrics
+from optimus.learn import checkpoint, metrics
 from optimus.learn.checkpoint import load
 from optimus.learn.encoder import EncoderConfig
 from optimus.learn.gradient import GradientWorkers, LossConfig, Runtime, batch_loss
@@ -182,6 +182,16 @@ def test_a_run_goes_on_only_with_the_same_settings(uninterrupted: Path, dataset:
     other = TrainConfig(**{**vars(QUICK), "seed": 1})
     with pytest.raises(CheckpointError, match=r"train\.seed = 0, not 1"):
         train(dataset, uninterrupted, other, SMALL)
+
+
+def test_without_its_state_training_begins_anew(dataset: Path, tmp_path: Path) -> None:
+    short = replace(QUICK, steps=2, evaluations=1)
+    train(dataset, tmp_path, short, SMALL)
+    shutil.rmtree(tmp_path / "train_state")
+    (tmp_path / "best" / "config.json").write_text("of a training that is gone")
+    train(dataset, tmp_path, short, SMALL)
+    assert [line["step"] for line in metrics.read(tmp_path)] == [1, 2]
+    assert checkpoint.best_step(tmp_path) == 2
 
 
 def test_a_damaged_training_state_is_named(dataset: Path, tmp_path: Path) -> None:

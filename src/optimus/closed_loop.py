@@ -55,14 +55,14 @@ class Vigilance:
     """Steps on the way home until planning is tried again that failed ..."""
     vain: int = 6
     """... and how often before the episode ends; at home, twice."""
-    seconds: float = 3.0
-    """Planning again is given up after this [s of CPU], or ..."""
+    effort: int = 60_000
+    """Planning again is given up after this (`Workspace.effort`), or ..."""
     times: float = 3.0
-    """... so many times what the first plan took, if that is longer."""
+    """... so many times what the first plan took, if that is more."""
 
 
 ALONE = Vigilance()
-SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, seconds=1.5)
+SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, effort=30_000)
 
 
 class ClosedLoop:
@@ -89,8 +89,8 @@ class ClosedLoop:
         self.infeasible = ""
         """Why there was no plan when last there was none."""
         self._env, self._workspace, self._rng, self._law = env, workspace, rng, law
-        seconds = max(vigilance.seconds, vigilance.times * plan.stats["seconds"])
-        self._budget, self._vigilance = replace(budget, seconds=min(budget.seconds, seconds)), vigilance
+        self._budget, self._vigilance = budget, vigilance
+        self._effort = max(vigilance.effort, vigilance.times * plan.stats["effort"])
         self._wait = self._vain = 0
         """Steps until planning is tried again, and how often it has failed on end with everything at rest."""
         self._falling = False
@@ -169,11 +169,11 @@ class ClosedLoop:
         state = replace(now, touched=frozenset(), speeds={})
         if state.held is None:
             state = replace(state, opening=self._workspace.open_width)  # by a plan's first motion, whatever they shut on
-        plan = solve(self._workspace, state, self._env.problem.goal, self._rng, self._budget)
+        plan = solve(self._workspace, state, self._env.problem.goal, self._rng, self._budget, self._effort)
         if isinstance(plan, Infeasible) and self._vigilance.others and state.held is not None:
             # somebody has taken it so that there is no going on, or where it still stands: let go, and take it as usual
             empty = replace(state, held=None, opening=self._workspace.open_width)
-            plan = solve(self._workspace, empty, self._env.problem.goal, self._rng, self._budget)
+            plan = solve(self._workspace, empty, self._env.problem.goal, self._rng, self._budget, self._effort)
         return plan
 
     def _in_motion(self) -> bool:

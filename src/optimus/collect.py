@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from optimus.control import CONTROLS, require_control
-from optimus.correct import Corrections, Turns, is_told, require_same_arm, require_usual_eyes
+from optimus.correct import Corrections, Turns, is_told, require_same_work, require_usual_eyes
 from optimus.data.episode import BINARY, OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
@@ -164,7 +164,7 @@ def open_dataset(config: CollectConfig) -> EpisodeStore:
     robot = task.robot_record(config.robot)
     require_backend(config.backend)
     if config.turns is not None:
-        require_same_arm(config.turns, task, control, robot, config.expert.law.gripper)
+        require_same_work(config.turns, task, control, robot, config.expert.law.gripper)
     cameras = compile_scene(task.problem(config.seed, config.robot).scene).image_cameras if config.images else ()
     if config.turns is not None:
         require_usual_eyes(config.turns, cameras)

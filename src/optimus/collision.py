@@ -38,6 +38,8 @@ class CollisionChecker:
     def __init__(self, world: World) -> None:
         self.world = world
         self._data = mujoco.MjData(world.model)
+        self.effort = 0
+        """Configurations checked so far."""
         bodies = world.model.geom_bodyid
         self._robot_geom = np.isin(bodies, list(world.robot_bodies))
         self._finger_geom = np.isin(bodies, [*world.finger_bodies, world.hand_body])
@@ -64,6 +66,7 @@ class CollisionChecker:
 
     def check(self, q: Array) -> Blocked | None:
         """None if `q` `(dof,)` [rad] is free, else one pair that meets."""
+        self.effort += 1
         data, model = self._data, self.world.model
         data.qpos[self._arm_qpos] = q
         mujoco.mj_kinematics(model, data)

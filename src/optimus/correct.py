@@ -39,8 +39,10 @@ class Turns:
 
     @property
     def record(self) -> dict[str, object]:
-        """What a dataset says about it, JSON-able: of the policy its folder's name."""
-        said = {**vars(self), "policy": self.policy.name}
+        """What a dataset says about it, JSON-able: of the policy its folder's name, and a name of its weights."""
+        from optimus.learn.checkpoint import weights_of
+
+        said = {**vars(self), "policy": self.policy.name, "weights": weights_of(self.policy)}
         return {name: value for name, value in said.items() if value is not None}
 
 
@@ -89,11 +91,14 @@ def require_usual_eyes(turns: Turns, cameras: tuple[str, ...]) -> None:
         raise CheckpointError(f"{turns.policy} was not trained on {usual}, as are collected; name another run")
 
 
-def require_same_arm(turns: Turns, task: Task, control: str, robot: str, gripper: str) -> None:
-    """`CheckpointError` if the policy that is to act was trained for another way of control, another use of the gripper, or with
-    another robot (`robot` as records have it)."""
+def require_same_work(turns: Turns, task: Task, control: str, robot: str, gripper: str) -> None:
+    """`CheckpointError` if the policy that is to act was trained for another task (other objects are the same one), another way of
+    control, another use of the gripper, or with another robot (`robot` as records have it)."""
     from optimus.learn import checkpoint
 
+    learned_task = checkpoint.load(turns.policy).inputs.task
+    if task.name.partition("@")[0] not in [name.partition("@")[0] for name in checkpoint.tasks_of(learned_task)]:
+        raise CheckpointError(f"{turns.policy} was trained for task {learned_task!r}, not {task.name!r}; name another run")
     if (learned := checkpoint.gripper_of(turns.policy)) != gripper:
         raise CheckpointError(f"{turns.policy} was trained with gripper {learned!r}, not {gripper!r}; name another run, or that")
     trained_with = checkpoint.load(turns.policy, control=control).inputs.robot

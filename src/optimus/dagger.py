@@ -22,9 +22,9 @@ import numpy as np
 
 from optimus.collect import CollectConfig, collect
 from optimus.correct import Turns
-from optimus.data.atomic import write_json
+from optimus.data.atomic import read_record, write_json
 from optimus.data.curate import load_curation
-from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, TASKS_OWN
+from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX, IMPORTED, TASKS_OWN
 from optimus.data.episode_file import OBSERVATION_PREFIX
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
@@ -35,6 +35,9 @@ from optimus.learn.board import BoardName
 from optimus.learn.policy import PolicyConfig
 from optimus.learn.train import Progress, TrainConfig, train
 from optimus.robots.catalogue import known_robots
+from optimus.robots.catalogue import robot as robot_named
+from optimus.tasks import task as task_named
+from optimus.world import compile_scene
 
 SEEDS_FROM = 100_000_000
 """Seeds of the episodes added start here, far from those of demonstrations, corrections and evaluations."""
@@ -118,7 +121,9 @@ class _Rounds:
             self._go_on()
 
     def _require_usual(self) -> None:
-        """`DatasetError` for a robot that only a file describes, or images of another size than those of what rounds add."""
+        """`DatasetError` where what rounds add would differ: before the first training, not after it."""
+        if IMPORTED in self.store.config:
+            raise DatasetError(f"{self.dataset} was imported: rounds are of a task known here; train without --dagger")
         if self.store.robot not in (TASKS_OWN, *known_robots()):
             raise DatasetError(
                 f"{self.dataset} was collected with robot {self.store.robot!r}, of whom rounds know the name alone; "
@@ -133,9 +138,14 @@ class _Rounds:
                 if size != (IMAGE_SIZE, IMAGE_SIZE):
                     usual = (IMAGE_SIZE, IMAGE_SIZE)
                     raise DatasetError(f"{self.dataset}: rounds add images of {usual}, those of {camera} are {size}")
+        arm = None if self.store.robot == TASKS_OWN else robot_named(self.store.robot)
+        usual_cameras = compile_scene(task_named(self.store.task).problem(0, arm).scene).image_cameras
+        if self.store.cameras not in ((), usual_cameras):
+            have, wanted = ", ".join(self.store.cameras), ", ".join(usual_cameras)
+            raise DatasetError(f"{self.dataset} is seen by {have}, what rounds add by {wanted}; train without --dagger")
 
     def _go_on(self) -> None:
-        there = json.loads(self.file.read_text())
+        there = read_record(self.file, ("config", "rounds"))
         begun = {**there["config"], "train": train_described(there["config"]["train"])}
         for key, wanted in self.report["config"].items():
             if begun.get(key) != wanted:

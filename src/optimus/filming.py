@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from optimus.conditions import USUAL, Conditions
-from optimus.data.atomic import write_whole
+from optimus.data.atomic import make_folder, write_whole
 from optimus.data.episode import Episode
-from optimus.evaluate import Start, play
+from optimus.evaluate import Start, how_said, play
 from optimus.learn.heads import Component
 from optimus.robots import Robot
 from optimus.show import Film, Loop, png
@@ -41,16 +41,20 @@ def film_outcomes(
     compiled: bool = False,
 ) -> list[FilmedEpisode]:
     """Films (MP4, and a PNG strip) of the first few successes, and of failures of every cause. The episodes are played again: they
-    are functions of their seeds, and of whether the network is compiled."""
+    are functions of their seeds, and of whether the network is compiled. Files are named by outcome, place in the list, seed, and
+    what was unusual. The strip is written first: where there is a film, there is all of it."""
     films = []
+    how = how_said(conditions, component, seed)
+    make_folder(folder)
     for success in (True, False):
         for i in worth_filming(report["outcomes"], success, each):
             outcome, film = report["outcomes"][i], Film()
             play(run, starts[i], seed + i, component, film, robot, conditions, compiled)
-            path = folder / f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}.mp4"
+            name = "+".join(filter(None, [f"{'success' if success else 'failure'}-{i:03d}-{outcome['seed']}", how]))
+            path, strip = folder / f"{name}.mp4", folder / f"{name}.png"
+            write_whole(strip, png(film.strip()))
             film.write(path)
-            write_whole(path.with_suffix(".png"), png(film.strip()))
-            films.append(FilmedEpisode(caption_of(outcome), path, path.with_suffix(".png"), success, outcome["cause"]))
+            films.append(FilmedEpisode(caption_of(outcome), path, strip, success, outcome["cause"]))
     return films
 
 

@@ -62,6 +62,8 @@ class Kinematics:
         self._jac = np.zeros((6, world.model.nv))
         self._jacp, self._jacr = self._jac[:3], self._jac[3:]
         self._error, self._turn = np.zeros(6), np.zeros(4)
+        self.effort = 0
+        """Poses asked for so far in search of solutions, of the model or of a closed form."""
         self._ways: Ways = PandaWays(self) if world.scene.robot.ik == "panda" else NumericWays(self)
 
     def fk(self, q: Array) -> Pose:
@@ -83,6 +85,7 @@ class Kinematics:
     def _missing(self, q: Array, target: Pose) -> Array:
         """`error_between(target, fk(q))`, by MuJoCo's own quaternions: it is the inner loop of planning."""
         error, turn = self._error, self._turn
+        self.effort += 1
         self._qpos[self._arm_qpos] = q
         mujoco.mj_kinematics(self.world.model, self._data)
         mujoco.mju_mat2Quat(turn, self._matrix)
@@ -160,13 +163,15 @@ class PandaWays:
 
     def starts(self, target: Pose, near: Array) -> list[Array]:
         k = self._kinematics
-        # frankik's `ik` takes the flange: the hand's origin, turned by +45 degrees about z
-        tcp_from_hand = Pose.of(-np.array(k.world.scene.robot.tcp))
-        flange = target @ tcp_from_hand @ Pose.of(rotvec=(0.0, 0.0, np.pi / 4))
+        robot = k.world.scene.robot
+        # frankik's `ik` takes the flange as the arm's foot sees it: the hand's origin, turned by +45 degrees about z
+        foot, tcp_from_hand = Pose(np.array(robot.base_pos), np.array(robot.base_quat)), Pose.of(-np.array(robot.tcp))
+        flange = foot.inverse @ target @ tcp_from_hand @ Pose.of(rotvec=(0.0, 0.0, np.pi / 4))
         matrix = np.eye(4)
         matrix[:3, :3], matrix[:3, 3] = flange.matrix, flange.pos
         found = []
         for q7 in np.linspace(k.low[6], k.high[6], 24):
+            k.effort += 1
             rows = frankik.ik_full(matrix, k.home, float(q7), False)  # pyright: ignore[reportArgumentType]
             found += [row for row in rows if np.isfinite(row).all() and k.within_limits(row)]
         return found

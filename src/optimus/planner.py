@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from collections.abc import Hashable, Iterator
@@ -167,12 +168,18 @@ def with_unblocking(operators: tuple[Operator, ...], learned: Facts) -> tuple[Op
 
 
 def solve(
-    workspace: Workspace, state: State, goal: Facts, rng: np.random.Generator, budget: Budget | None = None
+    workspace: Workspace,
+    state: State,
+    goal: Facts,
+    rng: np.random.Generator,
+    budget: Budget | None = None,
+    effort: float = math.inf,
 ) -> Plan | Infeasible:
-    """A plan from `state` to `goal`, or why there is none. Never raises for a problem without a solution."""
+    """A plan from `state` to `goal`, or why there is none. Never raises for a problem without a solution. It gives up after
+    `effort` (`Workspace.effort`) as it does when its time is spent."""
     budget = budget or Budget()
-    began = time.process_time()
-    workspace.deadline = began + budget.seconds
+    began, effort_before = time.process_time(), workspace.effort
+    workspace.deadline, workspace.most = began + budget.seconds, effort_before + effort
     state = _as_seen(workspace.scene, state)
     facts, learned = _facts(workspace.scene, state, goal), frozenset()
     ground_operators = operators_of(workspace, facts)
@@ -192,7 +199,8 @@ def solve(
             latest = _explain(binding) if binding.culprit or tried == 0 else last
             return _out_of_time(latest if of_goal is None else of_goal)
         if steps is not None:
-            stats = {"seconds": time.process_time() - began, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
+            spent = {"seconds": time.process_time() - began, "effort": workspace.effort - effort_before}
+            stats = {**spent, "skeletons": tried + 1, "learned": sorted(map(str, learned))}
             return Plan(state, steps, stats)
         failed.add(tuple(map(str, skeleton)))
         last = _explain(binding)

@@ -108,7 +108,7 @@ def rerender(
     for _ in finished([partial(_render, source, out, config, robot, seed) for seed in missing], workers):
         done += 1
         progress(done, len(store.seeds))
-    if (source / CURATION_FILE).exists():
+    if (source / CURATION_FILE).exists() and not (out / CURATION_FILE).exists():
         write_whole(out / CURATION_FILE, (source / CURATION_FILE).read_bytes())
     return made
 

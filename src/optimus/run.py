@@ -11,7 +11,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -19,15 +18,16 @@ from pathlib import Path
 from typing import Any
 
 from optimus.collect import CollectConfig, Collected, collect
+from optimus.conditions import USUAL
 from optimus.control import require_control
 from optimus.correct import Turns
-from optimus.data.atomic import make_folder, write_json
+from optimus.data.atomic import make_folder, read_record, write_json
 from optimus.data.curate import CurationConfig, curate
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore, installed_versions, require_no_dataset
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError, require_at_least, require_finite
-from optimus.evaluate import EvalReport, evaluate, validation_starts
+from optimus.evaluate import EvalReport, evaluate, how_said, validation_starts
 from optimus.filming import film_outcomes
 from optimus.learn.card import write_card
 from optimus.learn.checkpoint import weights_of
@@ -107,7 +107,7 @@ class Journal:
         asked = config.about
         self.value: dict[str, Any] = {"config": asked, "versions": installed_versions(), "seconds": {}}
         if self.path.exists():
-            there = json.loads(self.path.read_text())
+            there = read_record(self.path, ("config", "seconds"))
             there["config"] = {"control": OSC, "robot": TASKS_OWN, "mishaps": 0.0, **there["config"]}
             for key, wanted in asked.items():
                 if key == "out":  # a folder may be renamed
@@ -169,7 +169,7 @@ def run(config: RunConfig, progress: StageProgress = lambda *_: None) -> dict[st
     if not journal.value.get("filmed"):
         _timed(journal, "films", lambda: _films(config, data, policy, report))
         journal.settled("filmed", lambda: True)
-    films = films_in(config.out / "films", report)
+    films = films_in(config.out / "films", report, how_said(USUAL, "sampled", config.seed))
     write_report(summarise(RunRecord(journal.value, EpisodeStore.open(data), curation, policy, report, films)), page)
     return {
         "task": config.task,

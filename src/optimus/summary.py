@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from optimus.data.atomic import read_record
 from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import OSC, TASKS_OWN
 from optimus.data.store import EpisodeStore
@@ -22,6 +22,8 @@ from optimus.tasks import task as task_named
 
 EPISODES = 50
 """Of an evaluation, where nothing else is asked for."""
+EVALUATED = ("interval", "outcomes", "successes", "episodes", "states", "paper_rule_successes", "failures")
+"""What the file of an evaluation says at least."""
 Point = tuple[float, float]
 
 
@@ -65,8 +67,13 @@ def summary_of(folder: Path) -> ReportData:
     if (folder / "run.json").exists():
         return summarise(_record(folder))
     trained = checkpoint.read_config(folder)
-    found = [_read(path) for path in sorted(folder.glob("evaluation-*.json"))]
-    evaluations = [_evaluation(e) for e in found]
+    found = [(read_record(path, EVALUATED), _how(path)) for path in sorted(folder.glob("evaluation-*.json"))]
+    evaluations = [_evaluation(e, how) for e, how in found]
+    films = [
+        _film(film, stats.label)
+        for (e, how), stats in zip(found, evaluations, strict=True)
+        for film in films_in(folder / "films", e, how)
+    ]
     return ReportData(
         title=f"{folder.resolve().name}: a policy for {trained['task']}",
         task=trained["task"],
@@ -75,46 +82,42 @@ def summary_of(folder: Path) -> ReportData:
         versions=trained.get("versions", {}),
         metrics=metrics.read(folder),
         evaluations=evaluations,
-        films=[_film(f) for e in found for f in films_in(folder / "films", e)],
+        films=films,
     )
 
 
-def _read(file: Path) -> dict[str, Any]:
-    try:
-        found: dict[str, Any] = json.loads(file.read_text())
-        if missing := {"interval", "outcomes", "successes", "episodes", "states", "paper_rule_successes", "failures"} - set(found):
-            raise ValueError(f"it lacks {', '.join(sorted(missing))}")
-    except (OSError, ValueError, TypeError) as error:
-        raise DatasetError(f"cannot read {file} ({error}); evaluate again, or remove it") from error
-    return found
+def _how(file: Path) -> str:
+    """What was unusual about an evaluation, from its report's name."""
+    return file.stem.partition("+")[2]
 
 
 def _record(folder: Path) -> RunRecord:
-    try:
-        journal = json.loads((folder / "run.json").read_text())
-        file = EvalReport(journal["config"]["task"], "validation", (), seed=journal["config"]["seed"]).file_name
-        evaluation = json.loads((folder / "policy" / file).read_text())
-    except (OSError, ValueError) as error:
-        raise DatasetError(f"{folder} has not been evaluated yet ({error}); call optimus run again to let it go on") from error
-    films = films_in(folder / "films", evaluation)
-    data = folder / "data"
+    journal = read_record(folder / "run.json", ("config", "seconds"))
+    asked = journal["config"]
+    file = folder / "policy" / EvalReport(asked["task"], "validation", (), seed=asked["seed"]).file_name
+    if not file.exists():
+        raise DatasetError(f"{folder} has not been evaluated yet; call optimus run again to let it go on")
+    evaluation, data = read_record(file, EVALUATED), folder / "data"
+    films = films_in(folder / "films", evaluation, _how(file))
     return RunRecord(journal, EpisodeStore.open(data), load_curation(data), folder / "policy", evaluation, films)
 
 
-def films_in(folder: Path, evaluation: dict[str, Any]) -> list[FilmedEpisode]:
-    """The films of an evaluation that lie in `folder`, as `film_outcomes` named them."""
+def films_in(folder: Path, evaluation: dict[str, Any], how: str = "") -> list[FilmedEpisode]:
+    """The films of an evaluation (`how_said`) that lie in `folder`, as `film_outcomes` named them."""
     films, outcomes = [], dict(enumerate(evaluation["outcomes"]))
-    for video in sorted(folder.glob("*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
-        kind, index, seed = video.stem.rsplit("-", 2)
+    for video in sorted(folder.glob("[sf]*-*-*.mp4"), key=lambda path: (path.name.startswith("failure"), path.name)):
+        name, _, said = video.stem.partition("+")
+        kind, index, seed = name.rsplit("-", 2)
         outcome = outcomes.get(int(index)) if index.isdecimal() else None
-        if outcome is None or str(outcome["seed"]) != seed or outcome["success"] != (kind == "success"):
+        if outcome is None or said != how or str(outcome["seed"]) != seed or outcome["success"] != (kind == "success"):
             continue  # of another evaluation
         films.append(FilmedEpisode(caption_of(outcome), video, video.with_suffix(".png"), kind == "success", outcome["cause"]))
     return films
 
 
-def _film(filmed: FilmedEpisode) -> Film:
-    return Film(filmed.caption, filmed.strip, filmed.video, filmed.success, filmed.cause)
+def _film(filmed: FilmedEpisode, evaluation: str = "") -> Film:
+    caption = f"{filmed.caption} ({evaluation})" if evaluation else filmed.caption
+    return Film(caption, filmed.strip, filmed.video, filmed.success, filmed.cause, evaluation)
 
 
 def _command(asked: dict[str, Any]) -> str:
@@ -185,7 +188,7 @@ def _commands(asked: dict[str, Any]) -> list[str]:
     ]
 
 
-def _evaluation(report: dict[str, Any]) -> EvaluationStats:
+def _evaluation(report: dict[str, Any], how: str = "") -> EvaluationStats:
     low, high = report["interval"]
     rows = [{k: v for k, v in o.items() if v != ""} for o in report["outcomes"]]
     return EvaluationStats(
@@ -193,6 +196,7 @@ def _evaluation(report: dict[str, Any]) -> EvaluationStats:
         episodes=report["episodes"],
         interval=(low, high),
         states=report["states"],
+        conditions=how,
         paper_rule_successes=report["paper_rule_successes"],
         failures=report["failures"],
         rows=rows,

@@ -20,7 +20,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from optimus.errors import StorageError
+from optimus.errors import DatasetError, StorageError
 
 _LEFTOVER = re.compile(r"\.tmp-(.*)-(\d+)$")
 _HOST = re.sub(r"[^\w.]", "_", platform.node())
@@ -60,6 +60,17 @@ def write_whole(path: Path, payload: bytes | memoryview) -> None:
 def write_json(path: Path, value: Any) -> None:
     """Write a JSON-able value, whole or not at all."""
     write_whole(path, (json.dumps(value, indent=2) + "\n").encode())
+
+
+def read_record(path: Path, keys: tuple[str, ...] = ()) -> dict[str, Any]:
+    """What `write_json` wrote; `DatasetError` where it cannot be read or lacks one of the `keys`."""
+    try:
+        found: Any = json.loads(path.read_text())
+    except (OSError, ValueError) as error:
+        raise DatasetError(f"cannot read {path} ({error}); remove it and do again what made it") from error
+    if missing := [key for key in keys if not isinstance(found, dict) or key not in found]:
+        raise DatasetError(f"{path} lacks {', '.join(missing)}: not of this program, or damaged; name another folder, or remove it")
+    return found
 
 
 def require_free(path: Path, overwrite: bool, marker: str = "") -> None:

@@ -27,7 +27,9 @@ TASKS_OWN = "the task's own"
 def arm_parts(control: str, size: int) -> tuple[slice, ...]:
     """The parts of an action of `size` numbers that move the arm, each in one unit: all joints together under joint control,
     else delta position (3) and delta rotation vector (3), base frame."""
-    return (slice(0, size - 1),) if control == "joint" else (slice(0, 3), slice(3, 6))
+    arm = size - 1  # imported actions may have fewer numbers: a position alone, or nothing but the gripper
+    parts = (slice(0, arm),) if control == "joint" else (slice(0, min(3, arm)), slice(3, min(6, arm)))
+    return tuple(part for part in parts if part.start < part.stop)
 
 
 MISHAP = "mishap"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import struct
 from dataclasses import dataclass
 from functools import cached_property
@@ -169,7 +170,7 @@ def read_header(path: Path) -> EpisodeHeader:
         header = _header(path, facts, arrays)
     except OSError as error:
         raise DatasetError(f"cannot read {path}: {error.strerror or error}") from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
         raise DatasetError(f"{path} is not an episode file or is damaged ({error}); {_REMEDY}") from error
     if path.stat().st_size != end:
         raise DatasetError(f"{path} is {path.stat().st_size} bytes long, its header says {end}; {_REMEDY}")
@@ -177,7 +178,10 @@ def read_header(path: Path) -> EpisodeHeader:
 
 
 def _slot(entry: dict[str, Any], data_start: int) -> ArraySlot:
-    return ArraySlot(np.dtype(_DTYPES[entry["dtype"]]), tuple(entry["shape"]), data_start + entry["data_offsets"][0])
+    dtype, shape, (begin, end) = np.dtype(_DTYPES[entry["dtype"]]), tuple(map(int, entry["shape"])), entry["data_offsets"]
+    if math.prod(shape) * dtype.itemsize != end - begin:
+        raise ValueError(f"{end - begin} bytes for an array of shape {shape} and {dtype}")
+    return ArraySlot(dtype, shape, data_start + begin)
 
 
 def _header(path: Path, facts: dict[str, Any], arrays: dict[str, ArraySlot]) -> EpisodeHeader:

@@ -129,6 +129,8 @@ class EpisodeStore:
         if not path.exists():
             raise DatasetError(f"{self.path} holds no episode {seed}; it holds {_range_text(self.seeds)}")
         header = read_header(path)
+        if header.seed != seed:
+            raise DatasetError(f"{path} is episode {header.seed} by another's name; give it its own, or move it out of the dataset")
         if header.task != self.task:
             raise DatasetError(f"{path} is an episode of {header.task!r}, not of {self.task!r}; move it out of the dataset")
         return header

@@ -1,7 +1,7 @@
 """The evaluation protocol: a list of initial states, one episode each, k of n with an honest interval."""
 
 from optimus.evaluate.actors import environment, policy_folder, require_same_problems, task_of, trained_robot
-from optimus.evaluate.outcome import EvalReport, Outcome, states_label
+from optimus.evaluate.outcome import EvalReport, Outcome, how_said, states_label
 from optimus.evaluate.start import RANDOM_SEEDS_FROM, Start, random_starts, validation_starts
 from optimus.evaluate.trials import evaluate, play
 
@@ -12,6 +12,7 @@ __all__ = [
     "Start",
     "environment",
     "evaluate",
+    "how_said",
     "play",
     "policy_folder",
     "random_starts",

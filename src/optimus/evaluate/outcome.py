@@ -42,6 +42,11 @@ def states_label(states: str, task: str | None = None, objects: str | None = Non
     return "-".join(filter(None, [states, slug(task or ""), "" if objects is None else slug(objects) or "own"]))
 
 
+def how_said(conditions: Conditions, component: str, seed: int) -> str:
+    """Under what conditions and with which draws episodes were played; empty for the usual ones."""
+    return "+".join(filter(None, [conditions.said, component if component != "sampled" else "", f"seed-{seed}" if seed else ""]))
+
+
 @dataclass(frozen=True)
 class EvalReport:
     """What an evaluation found, in the order of its initial states."""
@@ -114,18 +119,17 @@ class EvalReport:
     @property
     def file_name(self) -> str:
         """Of the report in a run's folder."""
-        draws = [self.component if self.component != "sampled" else "", f"seed-{self.seed}" if self.seed else ""]
-        return "+".join(filter(None, [f"evaluation-{self.states}", self.conditions.said, *draws])) + ".json"
+        said = how_said(self.conditions, self.component, self.seed)
+        return "+".join(filter(None, [f"evaluation-{self.states}", said])) + ".json"
 
     def write(self, run: Path) -> None:
         """`RUN/evaluation-<states>[+<conditions>][+<component>][+seed-<n>].json` with everything, the outcomes beside it as
         `.jsonl`. One of the same question that has these outcomes and more stays as it is."""
-        path = run / self.file_name
-        if not (self._is_part_of(path.with_suffix(".jsonl")) and self._known(run)):
-            write_whole(path.with_suffix(".jsonl"), self.lines.encode())
-            write_json(path, self.as_dict())
+        path, known = run / self.file_name, self._known(run)
+        mine = self.as_dict()["outcomes"]
+        if known is None or known["outcomes"][: len(mine)] != mine:
+            known = self.as_dict()
+            write_json(path, known)
+        lines = "".join(json.dumps(outcome) + "\n" for outcome in known["outcomes"])
+        write_whole(path.with_suffix(".jsonl"), lines.encode())
         path.with_suffix(UNFINISHED).unlink(missing_ok=True)
-
-    def _is_part_of(self, lines: Path) -> bool:
-        """Whether that file begins with these outcomes."""
-        return lines.exists() and lines.read_text(errors="replace").startswith(self.lines)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from optimus.data.atomic import require_free, write_json, written_aside
 from optimus.data.curate import CURATION_FILE
-from optimus.data.episode import IMAGE_SUFFIX, IMPORTED, INSTRUCTION, PROPRIOCEPTION, RENDERED, Episode
+from optimus.data.episode import CONTINUOUS, IMAGE_SUFFIX, IMPORTED, INSTRUCTION, PROPRIOCEPTION, RENDERED, Episode
 from optimus.data.store import DESCRIPTION, EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange.hdf5 import facts, group_in, names, names_in, numbers, opened, plain_dataset
@@ -30,7 +30,7 @@ class RobomimicSource:
     """What to take from the file."""
 
     observations: tuple[str, ...] = ()
-    """Names of low-dimensional observations; empty: those of `PROPRIOCEPTION` that all demonstrations have."""
+    """Names of low-dimensional observations, besides those of `PROPRIOCEPTION` that all demonstrations have."""
     instruction: str = ""
     """What was wanted, in plain English, for demonstrations that do not say it."""
     overwrite: bool = False
@@ -51,7 +51,7 @@ def import_robomimic(
         demos = _demos(data)
         low, images = _observations(data, demos, source)
         with written_aside(out, source.overwrite, DESCRIPTION) as folder:
-            store = EpisodeStore.create(folder, *_description(data, images))
+            store = EpisodeStore.create(folder, *_description(data, demos, images))
             # in the order that a file of this program's own says
             images.sort(key=lambda name: [*store.cameras, name.removesuffix(IMAGE_SUFFIX)].index(name.removesuffix(IMAGE_SUFFIX)))
             seeds: dict[str, int] = {}
@@ -88,7 +88,7 @@ def _observations(data: h5py.Group, demos: Iterable[str], source: RobomimicSourc
     images = [name for name, a in shapes.items() if a.dtype == np.uint8 and a.ndim == 4 and a.shape[-1] == 3]
     numeric = [name for name, a in shapes.items() if a.ndim == 2 and a.dtype.kind == "f"]
     usual = (*PROPRIOCEPTION, *JOINTS) if facts(data, OWN) else tuple(PROPRIOCEPTION)
-    low = list(source.observations) or [name for name in usual if name in numeric]
+    low = list(dict.fromkeys([*(name for name in usual if name in numeric), *source.observations]))
     if unknown := [name for name in low if name not in numeric]:
         raise DatasetError(f"{data.file.filename} has no observation {', '.join(unknown)}; it has {', '.join(numeric) or 'none'}")
     if not low:
@@ -97,7 +97,7 @@ def _observations(data: h5py.Group, demos: Iterable[str], source: RobomimicSourc
     return low, images
 
 
-def _description(data: h5py.Group, images: Iterable[str]) -> tuple[str, list[str], dict[str, Any]]:
+def _description(data: h5py.Group, demos: Iterable[str], images: Iterable[str]) -> tuple[str, list[str], dict[str, Any]]:
     """The data set's task, cameras and settings; a file of this program's own says them itself."""
     cameras = [name.removesuffix(IMAGE_SUFFIX) for name in images]
     own, env_args = facts(data, OWN), facts(data, "env_args")
@@ -107,7 +107,12 @@ def _description(data: h5py.Group, images: Iterable[str]) -> tuple[str, list[str
     controller = environment_settings(env_args).get("controller_configs")
     if isinstance(controller, Mapping) and controller.get("type") == "OSC_POSE" and np.size(controller.get("output_max", ())):
         config["position_scale"] = float(np.ravel(controller["output_max"])[0])  # robosuite: metres for an action of 1
-    return str(env_args.get("env_name", "unknown")), cameras, config
+    task = str(env_args.get("env_name", "unknown"))
+    if ":" in task:
+        raise DatasetError(f"{data.file.filename} calls its task {task!r}, a Python module: no foreign file may name one")
+    if not all(np.isin(np.abs(numbers(group_in(data, demo), "actions")[..., -1:]), 1.0).all() for demo in demos):
+        config["gripper"] = CONTINUOUS
+    return task, cameras, config
 
 
 def _without_maps(config: Mapping[str, Any]) -> dict[str, Any]:

@@ -9,7 +9,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from optimus.data.atomic import write_whole
+from optimus.data.atomic import read_record, write_whole
+from optimus.errors import DatasetError
 from optimus.learn import checkpoint, metrics
 
 CARD_FILE = "README.md"
@@ -82,10 +83,10 @@ def _success(run: Path) -> str:
     rows = []
     for file in sorted(run.glob(EVALUATION)):
         try:
-            report = json.loads(file.read_text())
-        except (OSError, ValueError):  # damaged: not worth losing a training for
+            report = read_record(file, ("task", "interval", "successes", "episodes"))
+            low, high = map(float, report["interval"])
+        except (DatasetError, TypeError, ValueError):  # damaged or another's: not worth losing a training for
             continue
-        low, high = report["interval"]
         rows.append(
             f"| {report['task']} | {file.stem.removeprefix('evaluation-')} | {report['successes']} of {report['episodes']} | "
             f"{100 * low:.0f} to {100 * high:.0f} % |"

@@ -8,6 +8,7 @@ from __future__ import annotations
 import filecmp
 import hashlib
 import json
+import shutil
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,11 @@ def save_best(run: Path, policy: Policy, step: int, error: float) -> None:
     make_folder(folder)
     save(folder, policy)
     write_config(folder, {**read_config(run), "best": {"step": step, "held_out_action_error": error}})
+
+
+def forget_best(run: Path) -> None:
+    """Remove the best policy that is kept, if there is one."""
+    shutil.rmtree(run / BEST_FOLDER, ignore_errors=True)
 
 
 def best_step(run: Path) -> int | None:

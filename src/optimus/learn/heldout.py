@@ -42,7 +42,8 @@ def _errors(policy: Policy, windows: Windows, indices: np.ndarray) -> dict[str, 
     answer = policy.denormalise(policy.answers(features).likeliest())
     answer = answer if answer.ndim == 2 else answer[:, 0]
     distance: Callable[[Tensor], Tensor] = lambda x: torch.linalg.vector_norm(x, dim=-1)  # noqa: E731
-    arm = zip(("action_error", "rotation_error"), policy.inputs.arm_parts, strict=False)
+    parts = policy.inputs.arm_parts or (slice(None),)  # imported actions may be nothing but a gripper's
+    arm = zip(("action_error", "rotation_error"), parts, strict=False)
     errors = {
         **{name: distance(answer[:, part] - label[:, part]) for name, part in arm},
         "gripper_right": (answer[:, GRIPPER].sign() == label[:, GRIPPER].sign()).float(),

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from optimus.data.curate import Curation, load_curation
 from optimus.data.episode import BINARY, IMPORTED, VIEWS
 from optimus.data.episode_file import EpisodeHeader
@@ -72,6 +74,9 @@ class Lessons:
         centre = replace(cut, windows=1, change_weight=1.0)
         windows = Windows(first, curations[0].train, cut, train)
         validation = Windows(first, curations[0].validation, centre, held_out)
+        largest = float(max(np.abs(part.actions).max(initial=0.0) for part in (windows, validation)))
+        if largest > 1.0 + 1e-4:
+            raise DatasetError(f"{first.path} has actions up to {largest:.3g}; policies answer from -1 to 1: scale and import them")
         _require_apart(learned, [*(first.header(s) for s in curations[0].validation), *held_out])
         return cls(
             joint_task(store.task for store in stores),

@@ -129,7 +129,9 @@ class _Trainer:
         runtime, plan = Runtime(**settled["runtime"]), StepPlan(**settled["plan"])
         self.workers = GradientWorkers(policy, source, config.loss, runtime, config.seed, ranks)
         self.state = TrainState(policy, config.optimiser, plan)
-        if ranks.first and self.state.restore(run / STATE_FOLDER):
+        if ranks.first:
+            if not self.state.restore(run / STATE_FOLDER):  # from the start, perhaps where another training's state was removed
+                checkpoint.forget_best(run)
             metrics.forget_after(run, self.state.step)
         self.state.share(ranks)
         self.seconds_before = self.state.seconds

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 from typing import Any
 
 from optimus.data.atomic import write_whole
 from optimus.report import charts, pieces
-from optimus.report.data import EvaluationStats, ReportData
+from optimus.report.data import ReportData
 from optimus.report.page import duration
 
 
@@ -29,7 +29,7 @@ def _results(runs: Mapping[str, ReportData]) -> str:
     bars = ""
     for name, data in runs.items():
         for e in data.evaluations:
-            label = f"{name}, {e.states} states"
+            label = f"{name}, {e.label}"
             bars += charts.rate_bar(label, e.successes, e.episodes, e.interval, "policy")
         if data.expert:
             x = data.expert
@@ -41,17 +41,11 @@ def _results(runs: Mapping[str, ReportData]) -> str:
 def _failures(runs: Mapping[str, ReportData]) -> str:
     cards = ""
     for name, data in runs.items():
-        together: dict[str, int] = {}
-        for cause, count in (item for e in data.evaluations for item in e.failures.items()):
-            together[cause] = together.get(cause, 0) + count
-        if together:
-            cards += pieces.counts(f"{name}: {_of(data.evaluations)}", together, "cause")
+        for e in data.evaluations:
+            if e.failures:
+                failed = f"{e.episodes - e.successes} of {e.episodes} failed"
+                cards += pieces.counts(f"{name}, {e.label}: {failed}", e.failures, "cause")
     return pieces.section("failures", "What went wrong", f'<div class="grid">{cards}</div>') if cards else ""
-
-
-def _of(evaluations: Sequence[EvaluationStats]) -> str:
-    failed = sum(e.episodes - e.successes for e in evaluations)
-    return f"{failed} of {sum(e.episodes for e in evaluations)} failed"
 
 
 def _curves(runs: Mapping[str, ReportData]) -> str:

@@ -36,15 +36,20 @@ class DatasetStats:
 
 @dataclass(frozen=True)
 class EvaluationStats:
-    """How the policy did, from one list of initial states."""
+    """How the policy did, from one list of initial states and under the same conditions."""
 
     successes: int
     episodes: int
     interval: Interval
     states: str = "validation"
+    conditions: str = ""  # as in the file's name; empty for the usual ones
     paper_rule_successes: int | None = None
     failures: Mapping[str, int] = field(default_factory=dict)  # by cause
     rows: Sequence[Mapping[str, Any]] = ()  # one an episode; its keys are the table's columns
+
+    @property
+    def label(self) -> str:
+        return ", ".join([f"{self.states} states", *filter(None, self.conditions.split("+"))])
 
 
 @dataclass(frozen=True)
@@ -56,6 +61,7 @@ class Film:
     video: Path | None = None  # MP4
     success: bool | None = None
     cause: str = ""  # of a failure, as `EvaluationStats.failures` counts them
+    evaluation: str = ""  # label of that which it is from; empty if there is one only
 
 
 @dataclass(frozen=True)

@@ -49,7 +49,7 @@ def _result(expert: ExpertStats | None, evaluations: Sequence[EvaluationStats]) 
     if expert:
         bars.append(charts.rate_bar("Expert (planner)", expert.successes, expert.episodes, expert.interval, "expert"))
     for e in evaluations:
-        label = f"Policy, {e.states} states"
+        label = f"Policy, {e.label}"
         bars.append(charts.rate_bar(label, e.successes, e.episodes, e.interval, "policy"))
     if not bars:
         return ""
@@ -77,17 +77,15 @@ def _moving(films: Sequence[Film], strips_at_most: int = 3) -> str:
 
 
 def _failures(films: Sequence[Film], evaluations: Sequence[EvaluationStats]) -> str:
-    """What went wrong, the most frequent first, each with films of it where there are some."""
-    counts: dict[str, int] = {}
+    """What went wrong, each evaluation by itself, the most frequent first, each with films of it where there are some."""
+    body, rest = "", [film for film in films if film.success is False]
     for e in evaluations:
-        for cause, count in e.failures.items():
-            counts[cause] = counts.get(cause, 0) + count
-    episodes = sum(e.episodes for e in evaluations)
-    body = ""
-    for cause, count in sorted(counts.items(), key=lambda item: -item[1]):
-        of_it = [film for film in films if film.success is False and film.cause == cause]
-        body += f'<h3 class="cause failure">{escape(cause)}: {count} of {episodes} episodes</h3>{_moving(of_it, strips_at_most=1)}'
-    rest = [film for film in films if film.success is False and film.cause not in counts]
+        where = f"; {e.label}" if len(evaluations) > 1 else ""
+        for cause, count in sorted(e.failures.items(), key=lambda item: -item[1]):
+            of_it = [film for film in rest if film.cause == cause and film.evaluation in ("", e.label)]
+            rest = [film for film in rest if film not in of_it]
+            title = f"{escape(cause)}: {count} of {e.episodes} episodes{escape(where)}"
+            body += f'<h3 class="cause failure">{title}</h3>{_moving(of_it, strips_at_most=1)}'
     if not body and not rest:
         return ""
     return pieces.section("failures", "What went wrong", body + _moving(rest), "Failures of the policy by their cause.")
@@ -170,7 +168,7 @@ def _episodes(evaluations: Sequence[EvaluationStats]) -> str:
         if e.rows:
             columns = list(e.rows[0])
             rows_shown = pieces.table(columns, [[row.get(column, "") for column in columns] for row in e.rows])
-            summary = f"<summary>{e.episodes} episodes, {escape(e.states)} states</summary>"
+            summary = f"<summary>{e.episodes} episodes, {escape(e.label)}</summary>"
             body += f"<details>{summary}{rows_shown}</details>"
     return pieces.section("episodes", "Every episode", body) if body else ""
 

@@ -162,7 +162,7 @@ def _pooled(reports: list[Measurement]) -> Measurement:
         "interval": list(wilson(k, n)),
         "by_seed": [r["successes"] for r in reports],
         "states": reports[0]["states"],
-        "distinct_states": max(r["distinct_states"] for r in reports),
+        "distinct_states": len({outcome["seed"] for r in reports for outcome in r["outcomes"]}),
         "paper_rule_successes": sum(r["paper_rule_successes"] for r in reports),
         "mishaps": sum(r["mishaps"] for r in reports),
         "failures": causes,

@@ -73,6 +73,8 @@ class Workspace:
 
     deadline: float = np.inf
     """CPU time of this process [s] after which queries raise `OutOfTime`."""
+    most: float = np.inf
+    """Effort after which they do, too: a count, not a time, so that a slow machine plans as a fast one does."""
 
     def __post_init__(self) -> None:
         self.kinematics = Kinematics(self.world)
@@ -80,9 +82,14 @@ class Workspace:
         self.home = self.kinematics.fk(self.world.home)
 
     def require_time(self) -> None:
-        """`OutOfTime` after the deadline."""
-        if time.process_time() > self.deadline:
+        """`OutOfTime` after the deadline, or after too much effort."""
+        if self.effort > self.most or time.process_time() > self.deadline:
             raise OutOfTime
+
+    @property
+    def effort(self) -> int:
+        """Poses and collisions asked for so far: some 50 us of CPU each."""
+        return self.kinematics.effort + self.checker.effort
 
     @property
     def scene(self) -> Scene:
