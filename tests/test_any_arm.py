@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -134,18 +133,6 @@ def test_an_mjcf_tells_what_we_know_of_the_panda(tmp_path: Path) -> None:
     assert replace(same, camera_pos=PANDA.camera_pos, camera_target=PANDA.camera_target) == PANDA
     attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=read), 1, ExpertConfig())
     assert attempt.success, attempt.failure  # with the numeric search, in spite of the redundant joint
-
-
-def test_a_joint_of_an_mjcf_that_turns_without_end_turns_far_enough(tmp_path: Path) -> None:
-    model = shutil.copytree(fetch(), tmp_path / "panda") / "panda.xml"
-    text = model.read_text()
-    assert text.count('name="joint7"') == 1
-    model.write_text(text.replace('name="joint7"', 'name="joint7" limited="false"'))
-    file = panda_file(tmp_path)
-    file.write_text(file.read_text().replace(str(fetch() / "panda.xml"), str(model)))
-    arm = Kinematics(compile_scene(task("stack").problem(0, read_robot(file)).scene))
-    np.testing.assert_allclose((arm.low[-1], arm.high[-1]), (-2 * np.pi, 2 * np.pi), atol=0.05)
-    assert np.all(arm.low < arm.high)
 
 
 def test_fingers_open_where_they_are_furthest_apart_and_move_alike(ur5e: Robot) -> None:
@@ -301,23 +288,6 @@ def test_the_command_line_takes_a_robot(
     assert out.stat().st_size > 10_000
     result = json.loads(capsys.readouterr().out.splitlines()[-1])
     assert result["robot"] == "my-arm" and result["successes"] == 1
-
-
-def test_the_models_own_gears_and_limits_do_not_weaken_the_arm(tmp_path: Path) -> None:
-    """A motor's force is the joint's torque, and as much of it as the robot file says; what reads an actuator goes with it."""
-    own = shutil.copytree(fetch(), tmp_path / "own")
-    text = (own / "panda.xml").read_text()
-    for i in range(1, 8):
-        text = re.sub(rf'(<joint [^>]*name="joint{i}")', r'\1 actuatorfrcrange="-1 1"', text, count=1)
-        text = re.sub(rf'(<general [^>]*name="actuator{i}")', r'\1 gear="100"', text, count=1)
-    text = text.replace("</mujoco>", '<sensor><actuatorfrc actuator="actuator8"/></sensor></mujoco>')
-    assert text.count('gear="100"') == 7 and text.count("actuatorfrcrange") == 7
-    (own / "panda.xml").write_text(text)
-    written = panda_file(tmp_path).read_text().replace(str(fetch()), str(own)).replace('actuator = "actuator8"\n', "")
-    (tmp_path / "strong.toml").write_text(written.replace("[gripper]", f"torque_limits = {[*PANDA.torque_limits]}\n[gripper]"))
-    strong = read_robot(tmp_path / "strong.toml")
-    attempt = demonstrate(ManipulationEnv(task("stack"), images=False, robot=strong), 3, ExpertConfig())
-    assert attempt.success, attempt.failure
 
 
 def test_a_name_is_of_one_robot(tmp_path: Path) -> None:

@@ -42,6 +42,13 @@ def test_meshes_are_closed_and_stood_up(tmp_path: Path) -> None:
         lying.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 5, turn))
         lying.apply_transform(stood_up(lying, "auto"))
         assert steadiness(lying) > 0.1
+    for sides in (24, 32, 48, 64, 128):
+        can = trimesh.creation.cylinder(0.03, 0.1, sections=sides)
+        assert steadiness(can) == pytest.approx(np.arctan(0.03 / 0.05), abs=0.02)
+        can.apply_transform(trimesh.transformations.rotation_matrix(-np.pi / 2, [1, 0, 0]))
+        assert steadiness(can) < np.radians(9.0), "it rolls"
+        can.apply_transform(stood_up(can, "auto"))
+        assert can.extents[2] == pytest.approx(0.1, abs=1e-6)
     y_up = cup()
     y_up.apply_transform(trimesh.transformations.rotation_matrix(-np.pi / 2, [1, 0, 0]))
     y_up.export(tmp_path / "mug.ply")

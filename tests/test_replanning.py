@@ -18,7 +18,7 @@ from optimus.data.episode import Observation
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
-from optimus.motion.plan import Plan
+from optimus.motion.plan import Infeasible, Plan
 from optimus.planner import Budget, solve
 from optimus.se3 import Pose
 from optimus.skills import Workspace
@@ -170,15 +170,20 @@ def test_what_leans_where_it_is_to_go_is_not_there_yet() -> None:
     assert not isinstance(plan, Plan) or plan.steps  # whatever can be done, nothing is not it
 
 
-def test_planning_again_may_take_as_long_as_planning_takes() -> None:
+def test_planning_again_may_cost_as_much_as_planning_did_and_is_given_up_by_a_count() -> None:
     env = ManipulationEnv(task("stack"), images=False)
     env.reset(seed=1)
     plan = solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(1))
     assert isinstance(plan, Plan)
-    for took, may_take in ((0.01, SHARED.seconds), (1.0, 3.0), (9.0, 10.0)):
-        asked = replace(plan, stats={**plan.stats, "seconds": took})
+    for took, may_take in ((100, SHARED.effort), (SHARED.effort, 3 * SHARED.effort)):
+        asked = replace(plan, stats={**plan.stats, "effort": took})
         loop = ClosedLoop(env, Workspace(env.world), asked, TimeLaw(), np.random.default_rng(1), Budget(10.0), SHARED)
-        assert loop._budget.seconds == pytest.approx(may_take)
+        assert loop._effort == may_take
+    for less in (1, plan.stats["effort"] // 2):
+        workspaces = [Workspace(env.world) for _ in range(2)]
+        found = [solve(w, env.state(), env.problem.goal, np.random.default_rng(1), effort=less) for w in workspaces]
+        assert isinstance(found[0], Infeasible) and str(found[0]) == str(found[1]) and "time spent" in str(found[0])
+        assert workspaces[0].effort == workspaces[1].effort < plan.stats["effort"]
 
 
 def test_where_there_is_no_plan_any_more_it_goes_home() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from optimus.errors import ModelError
+from optimus.robots.model import TCP_SITE, WRIST_EYE
 from optimus.scene import WRIST_CAMERA, Scene
 from optimus.se3 import Array, Pose
 from optimus.spec import BAR_SUFFIX, ROBOT_PREFIX, world_spec
@@ -49,7 +50,7 @@ class World:
         self.finger_shut, self.finger_signs = np.array(robot.finger_shut), np.array(robot.finger_signs)
         actuators = robot.fingers if robot.gripper_actuator is None else (robot.gripper_actuator,)
         self.gripper_ctrl = np.array([int(m.actuator(ROBOT_PREFIX + name).id) for name in actuators])
-        self.tcp_site = int(m.site(ROBOT_PREFIX + "tcp").id)
+        self.tcp_site = int(m.site(ROBOT_PREFIX + TCP_SITE).id)
         self.hand_body = int(m.body(ROBOT_PREFIX + robot.hand).id)
         self.finger_bodies = tuple(int(m.body(ROBOT_PREFIX + n).id) for n in robot.finger_bodies)
         self.movable_qpos = {n: int(m.joint(n).qposadr[0]) for n in scene.movable_names}
@@ -84,7 +85,7 @@ class World:
         }
 
     def camera_id(self, name: str) -> int:
-        model_name = ROBOT_PREFIX + "eye_in_hand" if name == WRIST_CAMERA else name
+        model_name = ROBOT_PREFIX + WRIST_EYE if name == WRIST_CAMERA else name
         return int(self.model.camera(model_name).id)
 
     # ---- between MuJoCo's vectors and State

@@ -77,9 +77,3 @@ class Infeasible:
         where = f" at {self.skill}({', '.join(self.objects)})" if self.skill else ""
         by = f", in the way: {', '.join(self.blockers)}" if self.blockers else ""
         return f"{self.reason}{where}{by}"
-
-
-def path_length(poses: tuple[Pose, ...]) -> float:
-    """The length of a tcp path [m]."""
-    points = np.array([p.pos for p in poses])
-    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -21,6 +22,8 @@ GRIPPER_FORCE = 60.0
 """Of both fingers together [N]."""
 BEYOND = 0.02
 """A hand that shuts aims this far beyond its fingers' meeting [m]."""
+TCP_SITE, WRIST_EYE = "optimus-tcp", "optimus-eye"
+"""What is added to the hand, by names that no model uses for something of its own."""
 FULL_CTRL = 255.0
 """The gripper's control goes from 0, shut, to this, open."""
 ARMATURE = 0.1
@@ -88,10 +91,10 @@ def robot_spec(robot: Robot) -> mujoco.MjSpec:
         if frozenset((body1, body2)) not in present:
             spec.add_exclude(bodyname1=body1, bodyname2=body2)
     hand = spec.body(robot.hand)
-    hand.add_site(name="tcp", pos=robot.tcp, quat=robot.tcp_quat, group=HIDDEN_GROUP)
+    hand.add_site(name=TCP_SITE, pos=robot.tcp, quat=robot.tcp_quat, group=HIDDEN_GROUP)
     up = matrix_from_quat(np.array(robot.tcp_quat))[:, 0]
     hand.add_camera(
-        name="eye_in_hand",
+        name=WRIST_EYE,
         pos=robot.camera_pos,
         quat=look_at(robot.camera_pos, robot.camera_target, up),
         fovy=robot.camera_fovy,
@@ -104,16 +107,31 @@ def _weld_others(spec: mujoco.MjSpec, used: set[str]) -> None:
     gone = {joint.name for joint in spec.joints if joint.name not in used}
     if not gone:
         return
-    for equality in [e for e in spec.equalities if {e.name1, e.name2} & gone]:
-        spec.delete(equality)
-    for actuator in [a for a in spec.actuators if a.target in gone]:
-        spec.delete(actuator)
+    along = [t for t in spec.tendons if any(_name(t.path[i].target) in gone for i in range(len(t.path)))]
+    gone_tendons = {tendon.name for tendon in along}
+    of_tendons = mujoco.mjtTrn.mjTRN_TENDON, mujoco.mjtEq.mjEQ_TENDON
+    for equality in list(spec.equalities):
+        if {equality.name1, equality.name2} & (gone_tendons if equality.type == of_tendons[1] else gone):
+            spec.delete(equality)
+    for actuator in list(spec.actuators):
+        if actuator.target in (gone_tendons if actuator.trntype == of_tendons[0] else gone):
+            spec.delete(actuator)
+    for tendon in along:
+        spec.delete(tendon)
     for joint in [j for j in spec.joints if j.name in gone]:
         spec.delete(joint)
 
 
+def _name(thing: Any) -> str:
+    """Of what a tendon passes; a pulley is none."""
+    return "" if thing is None else thing.name
+
+
 def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
-    """A torque motor a joint."""
+    """A torque motor a joint. Control makes up for gravity itself, so nothing else may: neither the model's own compensation nor
+    springs."""
+    for body in spec.bodies:
+        body.gravcomp = 0.0
     limits = dict(zip(robot.joints, robot.torque_limits, strict=True))
     for actuator in list(spec.actuators):
         if actuator.target in limits:
@@ -133,6 +151,7 @@ def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
         if joint.armature == 0.0:
             joint.armature = ARMATURE
         if name in robot.joints:
+            joint.stiffness = np.zeros_like(joint.stiffness)  # of a polynomial
             joint.actfrclimited = mujoco.mjtLimited.mjLIMITED_FALSE  # the robot's own limits are the motors'
         if name in robot.fingers or joint.type != mujoco.mjtJoint.mjJNT_HINGE:
             continue

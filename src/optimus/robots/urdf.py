@@ -36,7 +36,7 @@ def read_urdf(path: Path) -> mujoco.MjSpec:
     """
     root = _parse(path)
     for link in root.findall("link"):
-        _complete_inertia(link)
+        _complete_inertia(link, path)
         for shape in [*link.findall("visual"), *link.findall("collision")]:
             _resolve_mesh(link, shape, path)
     for joint in root.findall("joint"):
@@ -56,8 +56,17 @@ def read_urdf(path: Path) -> mujoco.MjSpec:
 def urdf_speeds(path: Path) -> dict[str, float]:
     """The speed limits [rad/s] that a URDF gives, by joint; MuJoCo has no place for them."""
     limits = ((joint.get("name", ""), joint.find("limit")) for joint in _parse(path).findall("joint"))
-    speeds = {name: float(limit.get("velocity", 0.0)) for name, limit in limits if limit is not None}
+    speeds = {name: _number(limit, "velocity", f"joint {name}", path) for name, limit in limits if limit is not None}
     return {name: speed for name, speed in speeds.items() if speed > 0.0}
+
+
+def _number(element: ET.Element, key: str, of: str, urdf: Path) -> float:
+    """An attribute, 0 if there is none; `RobotFileError` if it is no number."""
+    text = element.get(key, "0")
+    try:
+        return float(text)
+    except ValueError as error:
+        raise RobotFileError(f"{urdf}: {key} of {of} is {text!r}, no number; is this a xacro? Expand it first") from error
 
 
 def _parse(path: Path) -> ET.Element:
@@ -80,13 +89,13 @@ def _parse(path: Path) -> ET.Element:
     return root
 
 
-def _complete_inertia(link: ET.Element) -> None:
+def _complete_inertia(link: ET.Element, urdf: Path) -> None:
     """MuJoCo asks for mass and inertia or neither."""
     inertial = link.find("inertial")
     if inertial is None:
         return
     mass = inertial.find("mass")
-    value = float(mass.get("value", 0.0)) if mass is not None else 0.0
+    value = 0.0 if mass is None else _number(mass, "value", f"the mass of link {link.get('name')}", urdf)
     if value <= 0.0:
         link.remove(inertial)
     elif inertial.find("inertia") is None:
@@ -104,7 +113,8 @@ def _resolve_mesh(link: ET.Element, shape: ET.Element, urdf: Path) -> None:
         mesh.set("filename", str(path))
         return
     link.remove(shape)
-    scale = float(np.abs([float(s) for s in mesh.get("scale", "1 1 1").split()]).mean())
+    said = mesh.get("scale", "1 1 1").split()
+    scale = float(np.abs([_number(ET.Element("s", s=s), "s", f"the scale of {path.name}", urdf) for s in said]).mean())
     try:
         parts = parts_of(path, scale)
     except Exception as error:
