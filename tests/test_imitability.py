@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from optimus.cli.demonstrations import imitability as command
 from optimus.collect import CollectConfig, collect
 from optimus.data.describe import describe
 from optimus.data.imitability import imitability
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
-from optimus.errors import DatasetError
+from optimus.errors import DatasetError, OptimusError
 from optimus.expert import TimeLaw
 from optimus.skills import Style
 from synthetic import make_episode
@@ -95,3 +96,5 @@ def test_what_cannot_be_compared_is_said(tmp_path: Path) -> None:
         other.write(make_episode(seed, cameras=()))
     with pytest.raises(DatasetError, match="position_scale"):
         imitability(other.path)
+    with pytest.raises(OptimusError, match="at least one DATASET"):
+        command(())

@@ -23,6 +23,7 @@ from optimus.cli.options import (
     chosen_robot,
 )
 from optimus.cli.output import bar, counts, say
+from optimus.errors import OptimusError
 
 if TYPE_CHECKING:
     from optimus.collect import Tally
@@ -184,6 +185,8 @@ def imitability(datasets: Datasets, json: Json = False) -> None:
     """
     from optimus.data.imitability import imitability as score
 
+    if not datasets:
+        raise OptimusError("name at least one DATASET, a folder of `optimus collect`")
     results = {str(path): score(path) for path in datasets}
     rows = [f"{'':<26}{'episodes':>9}{'steps':>7}{'drift mm':>10}{'doubt':>7}{'alike mm':>10}"]
     for name, r in results.items():
