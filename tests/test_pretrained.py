@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ import optimus
 from optimus.cli.policies import evaluate
 from optimus.env import ManipulationEnv
 from optimus.errors import UnknownNameError
-from optimus.pretrained import PREFIX, SHIPPED, names, run_folder
+from optimus.pretrained import PREFIX, SHIPPED, names, policy_folder, run_folder
 from optimus.tasks import task
 
 
@@ -42,6 +43,13 @@ def test_one_acts_by_its_name(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     action = policy.act(env.reset(seed=1)[0])
     assert action.shape == env.action_space.shape and np.isfinite(action).all()
     env.close()
+
+
+def test_the_folder_of_a_main_job_stands_for_its_policy(tmp_path: Path) -> None:
+    shutil.copytree(SHIPPED / "stack", tmp_path / "job" / "policy")
+    assert policy_folder(tmp_path / "job") == policy_folder(tmp_path / "job" / "policy") == tmp_path / "job" / "policy"
+    assert run_folder(tmp_path / "job") == tmp_path / "job"
+    assert optimus.load_policy(tmp_path / "job").policy.inputs.task == "stack"
 
 
 def test_another_name_is_refused() -> None:

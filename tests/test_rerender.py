@@ -11,6 +11,7 @@ from optimus.data.frustum import project
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import DatasetError, UnknownNameError
+from optimus.learn.sources import crop_of
 from optimus.rerender import RenderConfig, rerender, with_images
 from optimus.scene import Camera
 from synthetic import make_episode
@@ -57,6 +58,7 @@ def test_it_goes_on_where_it_was_stopped(states: EpisodeStore, tmp_path: Path) -
     assert told == [(2, 3), (3, 3)] and files(made.path) == whole
     with pytest.raises(DatasetError, match="rendered"):
         rerender(states.path, tmp_path / "a", RenderConfig(size=21), workers=1)
+    assert (crop_of([made.path]), crop_of([states.path])) == (18, 76)  # a policy sees as large a share of each size
 
 
 def test_depth_segmentation_and_projection_agree(states: EpisodeStore) -> None:

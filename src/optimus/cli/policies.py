@@ -68,8 +68,8 @@ def evaluate(
         component: of the action mixture: one sampled by its sharpened weight (`paper`: by its weight), or the likeliest
         videos: write short films of successes and failures to this folder (with --checkpoint both, to `last` and `best` in it)
         horizon: most steps of an episode, where that is fewer than the task's own
-        compile: have ONNX Runtime compute the network (extra `onnx`): some seconds in each process, then answers several times as
-            fast, equal but for rounding
+        compile: have ONNX Runtime compute the network (extra `onnx`): some seconds in each process, then an action takes two thirds
+            of the time (optimus-30m) or less (quick), equal but for rounding
     """
     from optimus import evaluate as evaluation
     from optimus.conditions import Conditions
@@ -77,13 +77,13 @@ def evaluate(
     from optimus.filming import film_outcomes
     from optimus.learn import checkpoint as checkpoints
     from optimus.learn.card import write_card
-    from optimus.pretrained import run_folder
+    from optimus.pretrained import policy_folder
 
     if repeats < 1:
         raise CheckpointError(f"--repeats {repeats} is not positive")
     if videos is not None:
         make_folder(videos)
-    run, states = run_folder(run), states or ("random" if dataset is None else "validation")
+    run, states = policy_folder(run), states or ("random" if dataset is None else "validation")
     conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
     results: dict[str, Any] = {}
     for which in ("last", "best") if checkpoint == "both" else (checkpoint,):
@@ -118,11 +118,11 @@ def export_policy(run: RunFolder, onnx: Path, overwrite: bool = False, json: Jso
     from optimus.data.atomic import make_folder, require_free
     from optimus.learn import checkpoint
     from optimus.learn.onnx_file import export_onnx
-    from optimus.pretrained import run_folder
+    from optimus.pretrained import policy_folder
 
     require_free(onnx, overwrite)
     make_folder(onnx.parent)
-    export_onnx(checkpoint.load(run_folder(run)), onnx)
+    export_onnx(checkpoint.load(policy_folder(run)), onnx)
     say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 

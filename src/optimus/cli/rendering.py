@@ -38,7 +38,7 @@ def render(
         out: the new dataset's folder
         cameras: names of the scene's cameras, or new views NAME=X,Y,Z:X,Y,Z[:FOVY]: where it stands and what it looks at [m], and
             its vertical field of view [deg]; by default the scene's own
-        size: side of the images [pixels]; policies take 84
+        size: side of the images [pixels]; a policy sees as large a share of each as of 84, and takes longer
         depth: also the distance along each camera's axis [m]
         segmentation: also what each pixel shows, as numbers whose names the episode lists
         randomise: a seed: light, colours, textures and cameras' poses differ from episode to episode

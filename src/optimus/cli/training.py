@@ -57,7 +57,7 @@ def train(
         optimus train data/stack --out runs/fifty --epochs 20 --demonstrations 50
         optimus train data/stack --out runs/rnn --preset quick-rnn --head gaussian
         optimus train data/stack data/pick-place --out runs/both --recipe paper --batch 512 --accumulate 8
-        optimus train data/stack --corrections data/corrections --initial runs/stack --out runs/better
+        optimus train data/stack --corrections data/corrections --initial runs/policy --out runs/better
         optimus train data/stack --out runs/stack --steps 3000 --dagger 2 --dagger-episodes 50
         torchrun --nproc-per-node 2 -m optimus.cli train data/stack --out runs/stack --steps 5000
 
@@ -93,11 +93,13 @@ def train(
     from optimus.errors import OptimusError
     from optimus.learn.presets import preset as chosen_preset
     from optimus.learn.ranks import is_first
+    from optimus.learn.sources import crop_of
     from optimus.learn.train import train as run_train
-    from optimus.pretrained import run_folder
+    from optimus.pretrained import policy_folder
 
     chosen = chosen_preset(preset, head, observe)
-    initial = None if initial is None else run_folder(initial)
+    chosen = replace(chosen, policy=replace(chosen.policy, crop=crop_of(datasets)))
+    initial = None if initial is None else policy_folder(initial)
     if initial is not None and (preset, head, observe) != ("quick", None, "images"):
         _require_network_of(initial, chosen.policy)
     how = recipe or chosen.recipe

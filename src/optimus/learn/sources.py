@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from optimus.data.curate import Curation, load_curation
-from optimus.data.episode import BINARY, IMPORTED, VIEWS
-from optimus.data.episode_file import EpisodeHeader
+from optimus.data.episode import BINARY, IMAGE_SIZE, IMAGE_SUFFIX, IMPORTED, VIEWS
+from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import DatasetError
@@ -85,6 +85,20 @@ class Lessons:
             first.config.get(POSITION_SCALE),
             {**_about(stores, curations, extra), STARTS: _starts(learned, sources.initial)},
         )
+
+
+def crop_of(datasets: Sequence[Path]) -> int:
+    """Side of the square that a policy sees of these datasets' images [pixels]: 76 of 84, and of others as large a share."""
+    usual, share = WindowConfig().crop, WindowConfig().crop / IMAGE_SIZE
+    sides = [side for path in datasets for side in _sides(EpisodeStore.open(path))]
+    return round(share * min(sides)) if sides else usual
+
+
+def _sides(store: EpisodeStore) -> list[int]:
+    """The sides of its images."""
+    arrays = store.header(store.seeds[0]).arrays if store.seeds else {}
+    names = [f"{OBSERVATION_PREFIX}{camera}{IMAGE_SUFFIX}" for camera in store.cameras]
+    return [side for name in names if name in arrays for side in arrays[name].shape[1:3]]
 
 
 def _shortened(curation: Curation, count: int | None, path: Path) -> Curation:

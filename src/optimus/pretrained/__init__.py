@@ -21,6 +21,13 @@ def names() -> list[str]:
     return sorted(path.parent.name for path in SHIPPED.glob(f"*/{CONFIG_FILE}"))
 
 
+def policy_folder(run: Path | str) -> Path:
+    """`run_folder`; of a folder of the main job (`optimus run`) that of its policy."""
+    folder = run_folder(run)
+    of_job = folder / "policy"
+    return of_job if not (folder / CONFIG_FILE).exists() and (of_job / CONFIG_FILE).exists() else folder
+
+
 def run_folder(run: Path | str) -> Path:
     """`run`; for `pretrained:NAME`, a copy of that policy in the user's cache, where outcomes may be written beside it.
     `UnknownNameError` lists the names."""
