@@ -192,6 +192,14 @@ def test_a_thing_is_the_same_after_saving(tmp_path: Path, thing: Thing) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["thing"], "nothing is left over"
 
 
+def test_of_two_that_make_the_same_thing_at_once_the_first_one_is_kept(tmp_path: Path, thing: Thing) -> None:
+    for name, anew in (("first", False), ("second", False), ("third", True)):
+        store.save(thing, tmp_path / "thing", name.encode(), anew)
+        kept = (tmp_path / "thing" / store.PICTURE).read_bytes()
+        assert kept == (name if anew else "first").encode()
+        assert sorted(p.name for p in tmp_path.iterdir()) == ["thing"]
+
+
 def test_a_damaged_or_crafted_folder_is_refused(tmp_path: Path, thing: Thing) -> None:
     store.save(thing, tmp_path / "thing", b"png")
     np.savez(tmp_path / "thing" / store.MESHES, look_vertices=np.array([{"a": 1}], dtype=object))

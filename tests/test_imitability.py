@@ -20,9 +20,10 @@ from synthetic import make_episode
 STEPS, SCALE = 12, 0.05
 
 
-def made(folder: Path, noise: float, episodes: int = 40, wait: int = 0) -> EpisodeStore:
+def made(folder: Path, noise: float, episodes: int = 40, wait: int = 0, alone_from: int = 40) -> EpisodeStore:
     """The hand goes along x at 1 cm a step, the actions with `noise` [m] on each number of the position; or, having shut the
-    gripper, it waits for so many steps and goes on, which no state tells."""
+    gripper, it waits for so many steps and goes on, which no state tells. From episode `alone_from` on each
+    has a thing of its own."""
     store = EpisodeStore.create(folder, "square", (), {"position_scale": SCALE, "rotation_scale": 0.5})
     for seed in range(episodes):
         rng = np.random.default_rng(seed)
@@ -36,6 +37,7 @@ def made(folder: Path, noise: float, episodes: int = 40, wait: int = 0) -> Episo
         actions[:, 6] = np.where(place < STEPS // 2, -1, 1)
         base = make_episode(seed, len(place), cameras=())
         changes: dict[str, Any] = {"actions": actions, "executed": actions, "objects": np.zeros((len(place), 1, 3), np.float32)}
+        changes["object_names"] = ("thing" if seed < alone_from else f"thing {seed}",)
         changes["observations"] = {**base.observations, "robot0_eef_pos": hand}
         store.write(make_episode(seed, len(place), cameras=(), **changes))
     return store
@@ -62,6 +64,14 @@ def test_noise_is_found_in_its_own_size(tmp_path: Path) -> None:
     assert score.drift == pytest.approx(0.002 * np.sqrt(3 * STEPS), rel=0.08)
     whole = sum(phase["drift"] ** 2 for phase in score.phases.values())
     assert score.drift == pytest.approx(np.sqrt(whole))
+
+
+def test_what_can_be_compared_with_nothing_makes_no_dataset_easier(tmp_path: Path) -> None:
+    whole = imitability(made(tmp_path / "whole", 0.01).path)
+    partly = imitability(made(tmp_path / "partly", 0.01, alone_from=15).path)
+    assert whole.compared == 1 and partly.compared < 0.6 and "% of the steps compared" in partly.in_words
+    assert partly.drift == pytest.approx(whole.drift, rel=0.15) and partly.steps == whole.steps
+    np.testing.assert_allclose(np.sqrt(sum(p["drift"] ** 2 for p in partly.phases.values())), partly.drift)
 
 
 @pytest.mark.parametrize("wait", [3, 20])

@@ -6,7 +6,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -180,6 +180,40 @@ def test_why_there_is_no_plan() -> None:
         assert isinstance(shown.found, Plan) and shown.stage.count("marks") == 0
     finally:
         view.close()
+
+
+def test_what_plays_goes_on_after_another_choice_and_after_an_error(data: Path) -> None:
+    view = open_view(str(data), seed=1, address=ANY_PORT)
+    try:
+        shown = view.shown
+        assert isinstance(shown, EpisodeView)
+        player, lengths = shown.player, {s: len(EpisodeStore.open(data).read(s)) for s in EpisodeStore.open(data).seeds}
+        longest, shortest = max(lengths, key=lengths.__getitem__), min(lengths, key=lengths.__getitem__)
+        shown.load(longest)
+        player.slider.value = (lengths[longest] - 3) / 20
+        shown.load(shortest)
+        shown._show(lengths[longest] - 1)  # as a slider says that was moved meanwhile
+        show, failed = player._show, []
+
+        def failing(index: int) -> None:
+            failed.append(index)
+            raise IndexError(index)
+
+        player._show = failing
+        player.play()
+        _until(lambda: bool(failed) and not player._playing.is_set())
+        player._show = show
+        player.play()
+        _until(lambda: player.index > failed[0] + 2)
+    finally:
+        view.close()
+
+
+def _until(so: Callable[[], bool], seconds: float = 20.0) -> None:
+    end = time.monotonic() + seconds
+    while not so():
+        assert time.monotonic() < end
+        time.sleep(0.02)
 
 
 def test_an_episode_in_step(data: Path) -> None:

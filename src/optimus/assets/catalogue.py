@@ -153,16 +153,17 @@ def make(name: str) -> None:
 
     blueprint = LIBRARY[name]
     try:
-        keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name)
+        # several processes may come to need it at once, and each makes the same
+        keep(prepare(blueprint.solid(), facts_of(blueprint)), library_folder() / name, replace=False)
     except AssetError as error:
         raise AssetError(f"{name} {error}") from error
 
 
-def keep(thing: Thing, folder: Path) -> None:
-    """Write a thing with its picture."""
+def keep(thing: Thing, folder: Path, replace: bool = True) -> None:
+    """Write a thing with its picture; `replace` as `store.save` takes it."""
     from optimus.assets.picture import picture, png
 
-    store.save(thing, folder, png(picture(thing.shape)))
+    store.save(thing, folder, png(picture(thing.shape)), replace)
 
 
 def missing() -> list[str]:

@@ -23,8 +23,9 @@ FORMAT = 1
 RECORD, MESHES, GRASPS, PICTURE = "object.json", "meshes.npz", "grasps.h5", "picture.png"
 
 
-def save(thing: Thing, folder: Path, picture: bytes) -> None:
-    """Write a thing to `folder`, whole or not at all; a thing that stood there is replaced, anything else is let be."""
+def save(thing: Thing, folder: Path, picture: bytes, replace: bool = True) -> None:
+    """Write a thing to `folder`, whole or not at all; a thing that stood there is replaced, anything else is let be. Without
+    `replace` one that somebody else has put there meanwhile stays."""
     if folder.exists() and not (folder / RECORD).is_file():
         raise StorageError(f"{folder} holds something that is not an object")
     aside = folder.with_name(f".{folder.name}.tmp-{os.getpid()}")
@@ -32,8 +33,13 @@ def save(thing: Thing, folder: Path, picture: bytes) -> None:
         shutil.rmtree(aside, ignore_errors=True)
         aside.mkdir(parents=True)
         _write(thing, aside, picture)
-        shutil.rmtree(folder, ignore_errors=True)
-        aside.replace(folder)
+        if replace:
+            shutil.rmtree(folder, ignore_errors=True)
+        try:
+            aside.replace(folder)
+        except OSError:
+            if replace or not (folder / RECORD).is_file():
+                raise
     except OSError as error:
         raise StorageError(f"cannot write {folder}: {error.strerror or error}") from error
     finally:

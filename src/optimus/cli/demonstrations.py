@@ -188,9 +188,10 @@ def imitability(datasets: Datasets, json: Json = False) -> None:
     if not datasets:
         raise OptimusError("name at least one DATASET, a folder of `optimus collect`")
     results = {str(path): score(path) for path in datasets}
-    rows = [f"{'':<26}{'episodes':>9}{'steps':>7}{'drift mm':>10}{'doubt':>7}{'alike mm':>10}"]
+    rows = [f"{'':<26}{'episodes':>9}{'steps':>7}{'drift mm':>10}{'doubt':>7}{'alike mm':>10}{'compared':>10}"]
     for name, r in results.items():
-        rows.append(f"{name:<26}{r.episodes:>9}{r.steps:>7.0f}{1e3 * r.drift:>10.1f}{r.doubt:>7.2f}{1e3 * r.alike:>10.1f}")
+        score = f"{1e3 * r.drift:>10.1f}{r.doubt:>7.2f}{1e3 * r.alike:>10.1f}{r.compared:>10.0%}"
+        rows.append(f"{name:<26}{r.episodes:>9}{r.steps:>7.0f}{score}")
         for phase, p in r.phases.items():
             rows.append(f"  {phase:<24}{'':>9}{p['steps']:>7.0f}{1e3 * p['drift']:>10.1f}{p['doubt']:>7.2f}")
     say({name: asdict(r) for name, r in results.items()}, json, "\n".join(rows))

@@ -6,10 +6,10 @@ by step, is what it errs by. Summed over an episode as independent errors sum, i
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,13 +53,14 @@ class Imitability:
     phases: dict[str, dict[str, float]]
     """`drift` [m], `doubt` [steps] and mean length in `steps` of each phase; squared drifts and doubts add up to the whole's."""
     compared: float
-    """Share of the steps that enough other episodes had something to compare with."""
+    """Share of the steps that enough other episodes had something to compare with; the rest is taken to be like these."""
 
     @property
     def in_words(self) -> str:
         """The score on one line."""
         spread = f"drift {1000 * self.drift:.0f} mm, doubt {self.doubt:.1f} steps an episode"
-        return f"{spread}; situations {1000 * self.alike:.0f} mm apart"
+        partly = f"; {self.compared:.0%} of the steps compared" if self.compared < 1.0 else ""
+        return f"{spread}; situations {1000 * self.alike:.0f} mm apart{partly}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,19 +98,20 @@ def imitability_of(headers: Sequence[EpisodeHeader], units: Array) -> Imitabilit
         raise DatasetError(f"no two of these {len(headers)} episodes use the gripper on the same things; collect more")
     squared, doubt, gap = (np.concatenate(part) for part in zip(*(_dispersion(pool) for pool in big.values()), strict=True))
     phase = np.array([name for pool in big.values() for steps in pool for name in steps.phase])
-    lengths = sum(len(steps.shut) for pool in pools.values() for steps in pool)
+    of_phase = Counter(name for pool in pools.values() for steps in pool for name in steps.phase)
 
-    def summary(here: Any) -> dict[str, float]:
-        drift = float(np.sqrt(squared[here].sum() / len(headers)))
-        return {"drift": drift, "doubt": float(doubt[here].sum() / len(headers)), "steps": len(squared[here]) / len(headers)}
+    def summary(name: str) -> dict[str, float]:
+        """Steps that nothing could be compared with count as those of their phase that something could."""
+        here, steps = phase == name, of_phase[name] / len(headers)
+        return {"drift": float(np.sqrt(steps * squared[here].mean())), "doubt": float(steps * doubt[here].mean()), "steps": steps}
 
-    phases = {str(name): summary(phase == name) for name in dict.fromkeys(phase)}
-    whole = summary(slice(None))
+    phases = {str(name): summary(name) for name in dict.fromkeys(phase)}
+    lengths = sum(of_phase.values())
     return Imitability(
         episodes=len(headers),
         steps=lengths / len(headers),
-        drift=whole["drift"],
-        doubt=whole["doubt"],
+        drift=float(np.sqrt(sum(p["drift"] ** 2 for p in phases.values()))),
+        doubt=sum(p["doubt"] for p in phases.values()),
         alike=float(np.median(gap)),
         phases=phases,
         compared=len(squared) / lengths,

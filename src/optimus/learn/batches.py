@@ -10,6 +10,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from optimus.data.frames import Frames
 from optimus.data.windows import Batch, Windows
 
 _MEMORY_SHARE = 0.7
@@ -61,11 +62,19 @@ class ResidentWindows:
 
     def __init__(self, windows: Windows, device: torch.device) -> None:
         self._windows, self._device = windows, device
-        joined = lambda arrays: torch.cat([torch.from_numpy(np.array(a)).to(device) for a in arrays])  # noqa: E731
-        self._images = {c: joined([t.images[c] for t in windows.tracks]) for c in windows.cameras}
+        self._images = {c: self._joined([t.images[c] for t in windows.tracks]) for c in windows.cameras}
         self._low = {name: self._there(values) for name, values in windows.proprioception.items()}
         self._actions, self._weight = self._there(windows.actions), self._there(windows.weight)
         self._objects, self._keyposes = self._there(windows.objects), self._there(windows.keyposes)
+
+    def _joined(self, parts: list[Frames]) -> Tensor:
+        """One after the other; put in place one by one, for there is no room for them twice."""
+        whole = torch.empty((sum(p.shape[0] for p in parts), *parts[0].shape[1:]), dtype=torch.uint8, device=self._device)
+        begin = 0
+        for part in parts:
+            whole[begin : begin + part.shape[0]] = torch.from_numpy(np.array(part))
+            begin += part.shape[0]
+        return whole
 
     def sample(self, rng: np.random.Generator, runs: int) -> TensorBatch:
         """See `Windows.sample`."""

@@ -148,7 +148,7 @@ class _Trainer:
         """Take the steps that are left."""
         state = self.state
         report: dict[str, float] = {}
-        losses: list[float] = []
+        losses: list[tuple[float, float]] = []
         while state.step < state.plan.steps:
             found, gradient = self.workers.gradient(state.step)
             before = state.plan.at(state.step)
@@ -159,10 +159,11 @@ class _Trainer:
                     f"{self.run}: the loss is no longer finite at step {state.step}; "
                     "lower the learning rate, or check the dataset for extreme values"
                 )
-            losses.append(likelihood)
+            losses.append((likelihood, location))
             after = state.plan.at(state.step)
             if _passes(before, after, _REPORTS) or _passes(before, after, self.config.evaluations):
-                report = self._report(sum(losses) / len(losses), location, before, after)
+                loss, location = (sum(column) / len(losses) for column in zip(*losses, strict=True))
+                report = self._report(loss, location, before, after)
                 losses.clear()
             now = time.perf_counter()
             self.first_taken = min(self.first_taken, now)

@@ -127,6 +127,8 @@ def _of_trials(budget: Budget, seed: int) -> list[str]:
         f"{budget.episodes} trials a policy and condition, {budget.seeds} training seed(s) from {seed} on.",
         "Strict success; k of n with the Wilson 95 % interval.",
     ]
+    if budget.seeds > 1:
+        parts.append("Intervals are those of these policies: another training seed's may lie outside.")
     if budget.horizon is not None:
         parts.append(f"Policies' trials end after {budget.horizon} steps: this proves the path and says nothing of success.")
     return parts

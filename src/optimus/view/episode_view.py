@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -40,6 +41,7 @@ class EpisodeView:
             raise DatasetError(f"{store.path} holds no episode yet; collect some")
         if robot is None and store.robot in known_robots():
             robot = robot_named(store.robot)
+        self._lock = threading.RLock()  # what the browser asks for comes on many threads
         self._store, self._server, self._task = store, server, task_named(store.task)
         gripper = store.config.get("gripper", BINARY)
         self._env = ManipulationEnv(self._task, images=False, control=store.control, robot=robot, gripper=gripper)
@@ -56,6 +58,11 @@ class EpisodeView:
 
     def load(self, seed: int) -> None:
         """Show the episode of that seed, from its start."""
+        with self._lock:
+            self.player.pause()
+            self._load(seed)
+
+    def _load(self, seed: int) -> None:
         self.episode = self._store.read(seed)
         self.qpos, error = _recorded(self._env, self.episode) or _played_again(self._env, self.episode)
         self.stage = Stage(self._server, self._env.world, self._task)
@@ -82,13 +89,15 @@ class EpisodeView:
         self.player.close()
 
     def _show(self, index: int) -> None:
-        """The scene, pictures and actions of that step."""
-        self.stage.show(self.qpos[index])
-        with self._server.atomic():
-            if self._picture is not None:
-                seen = {name: values[index] for name, values in self.episode.observations.items()}
-                self._picture.image = side_by_side(seen, self.episode.cameras)
-            self._plot(index)
+        """The scene, pictures and actions of that step; of the last one, where the slider stood further on in another episode."""
+        with self._lock:
+            index = min(index, len(self.episode) - 1)
+            self.stage.show(self.qpos[index])
+            with self._server.atomic():
+                if self._picture is not None:
+                    seen = {name: values[index] for name, values in self.episode.observations.items()}
+                    self._picture.image = side_by_side(seen, self.episode.cameras)
+                self._plot(index)
 
     def _plot(self, index: int) -> None:
         """The labels up to the present step as lines, the gripper grey; the rest of the episode is empty."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections.abc import Callable
@@ -9,6 +10,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import viser
+
+log = logging.getLogger(__name__)
 
 PLAY, PAUSE = "play", "pause"
 
@@ -65,5 +68,9 @@ class Player:
             if self.index >= self._count - 1:
                 self.pause()
                 continue
-            self.slider.value = (self.index + 1) / self._rate  # calls `_moved`
+            try:
+                self.slider.value = (self.index + 1) / self._rate  # calls `_moved`
+            except Exception:
+                log.exception("cannot show the moment at %.2f s", self.slider.value)
+                self.pause()
             time.sleep(max(0.0, 1 / self._rate - (time.perf_counter() - began)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections import Counter
 from typing import TYPE_CHECKING
 
@@ -36,6 +37,7 @@ class SceneView:
 
     def __init__(self, server: viser.ViserServer, task: Task, seed: int, robot: Robot | None = None) -> None:
         self.task, self._server = task, server
+        self._lock = threading.RLock()  # what the browser asks for comes on many threads
         self._env = ManipulationEnv(task, images=False, robot=robot)
         self.player = Player(server, self._show)
         gui = server.gui
@@ -51,6 +53,11 @@ class SceneView:
 
     def solve(self, seed: int) -> None:
         """Draw the problem of `seed`, plan for it, and show either the plan or why there is none."""
+        with self._lock:
+            self.player.pause()
+            self._solve(seed)
+
+    def _solve(self, seed: int) -> None:
         self._env.reset(seed=seed)
         self.stage = Stage(self._server, self._env.world, self.task)
         self.stage.show(self._env.data.qpos)
@@ -84,18 +91,20 @@ class SceneView:
 
     def _show(self, index: int) -> None:
         """The moment of that index, and the words for it."""
-        if isinstance(self.found, Plan) and self.moments:
-            moment = self.moments[index]
-            self.stage.show(moment.qpos)
-            self._said.content = words.skeleton(self.found.steps, moment.step, moment.segment)
+        with self._lock:
+            if isinstance(self.found, Plan) and self.moments:
+                moment = self.moments[min(index, len(self.moments) - 1)]
+                self.stage.show(moment.qpos)
+                self._said.content = words.skeleton(self.found.steps, moment.step, moment.segment)
 
     def _draw_ghosts(self) -> None:
-        self.stage.clear("ghosts")
-        if not isinstance(self.found, Plan) or not self._ghosts.value:
-            return
-        for i, moment in enumerate(self.moments):
-            if moment.key:
-                self.stage.ghost(str(i), moment.qpos, words.colour_of(self.found.steps[moment.step].operator.skill))
+        with self._lock:
+            self.stage.clear("ghosts")
+            if not isinstance(self.found, Plan) or not self._ghosts.value:
+                return
+            for i, moment in enumerate(self.moments):
+                if moment.key:
+                    self.stage.ghost(str(i), moment.qpos, words.colour_of(self.found.steps[moment.step].operator.skill))
 
     def show_grasps(self, thing: str) -> None:
         """Choose what grasps are shown of; `none` takes them away."""
@@ -103,7 +112,8 @@ class SceneView:
 
     def _draw_grasps(self, thing: str) -> None:
         """Forks where the hand could take `thing` from the start, those that the arm cannot take in red."""
-        accepted, refused = ([], []) if thing == NOTHING else self.grasps_of(thing)
+        with self._lock:
+            accepted, refused = ([], []) if thing == NOTHING else self.grasps_of(thing)
         poses = [*accepted, *(pose for pose, _ in refused)]
         forks = np.concatenate([_fork(p) for p in poses]) if poses else np.empty((0, 2, 3))
         each = len(_fork(Pose.of()))
