@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +18,8 @@ from optimus.data.store import EpisodeStore
 from optimus.errors import DatasetError
 from optimus.exchange.robomimic_import import RobomimicSource, import_robomimic
 from optimus.learn import metrics
-from optimus.learn.gradient import LossConfig
 from optimus.learn.train import TrainConfig, train
+from test_train import QUICK, SMALL
 
 
 def test_another_s_demonstrations_are_curated_and_learned_from(tmp_path: Path) -> None:
@@ -32,7 +33,7 @@ def test_another_s_demonstrations_are_curated_and_learned_from(tmp_path: Path) -
     curation = curate(store.path, CurationConfig())
     assert curation.dropped == {3: "failed"}
     assert store.config["gripper"] == "continuous"  # its last numbers are not of two values
-    policy = train(store.path, tmp_path / "run", TrainConfig(steps=2))
+    policy = train(store.path, tmp_path / "run", replace(QUICK, steps=2), SMALL)
     assert policy.inputs.objects == 0 and set(policy.inputs.proprioception) == set(said["observations"][:3])
     for line in metrics.read(tmp_path / "run"):
         assert np.isfinite([v for v in line.values() if v is not None]).all()
@@ -48,7 +49,7 @@ def test_actions_of_other_sizes_are_learned_from(tmp_path: Path, size: int) -> N
     robosuite_like(tmp_path / "d.hdf5", 5, size)
     import_robomimic(tmp_path / "d.hdf5", tmp_path / "d")
     curate(tmp_path / "d", CurationConfig())
-    train(tmp_path / "d", tmp_path / "run", TrainConfig(steps=1, loss=LossConfig(runs=2)))
+    train(tmp_path / "d", tmp_path / "run", replace(QUICK, steps=1), SMALL)
     agent = load_policy(tmp_path / "run")
     episode = EpisodeStore.open(tmp_path / "d").read(5)
     action = agent.act({name: array[0] for name, array in episode.observations.items()})
