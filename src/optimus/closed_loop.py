@@ -55,14 +55,14 @@ class Vigilance:
     """Steps on the way home until planning is tried again that failed ..."""
     vain: int = 6
     """... and how often before the episode ends; at home, twice."""
-    effort: int = 60_000
+    effort: int = 40_000
     """Planning again is given up after this (`Workspace.effort`), or ..."""
     times: float = 3.0
     """... so many times what the first plan took, if that is more."""
 
 
 ALONE = Vigilance()
-SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, effort=30_000)
+SHARED = Vigilance(retries=30, empty_for=2, stuck_for=25, others=True, effort=20_000)
 
 
 class ClosedLoop:

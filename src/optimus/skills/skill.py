@@ -88,7 +88,7 @@ class Workspace:
 
     @property
     def effort(self) -> int:
-        """Poses and collisions asked for so far: some 50 us of CPU each."""
+        """Poses and collisions asked for so far: some 40 to 70 us of CPU each."""
         return self.kinematics.effort + self.checker.effort
 
     @property
