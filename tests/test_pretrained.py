@@ -13,7 +13,7 @@ import optimus
 from optimus.cli.policies import evaluate
 from optimus.env import ManipulationEnv
 from optimus.errors import UnknownNameError
-from optimus.pretrained import PREFIX, SHIPPED, names, policy_folder, run_folder
+from optimus.pretrained import PREFIX, SHIPPED, names, run_folder, trained_folder
 from optimus.tasks import task
 
 
@@ -47,7 +47,7 @@ def test_one_acts_by_its_name(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
 
 def test_the_folder_of_a_main_job_stands_for_its_policy(tmp_path: Path) -> None:
     shutil.copytree(SHIPPED / "stack", tmp_path / "job" / "policy")
-    assert policy_folder(tmp_path / "job") == policy_folder(tmp_path / "job" / "policy") == tmp_path / "job" / "policy"
+    assert trained_folder(tmp_path / "job") == trained_folder(tmp_path / "job" / "policy") == tmp_path / "job" / "policy"
     assert run_folder(tmp_path / "job") == tmp_path / "job"
     assert optimus.load_policy(tmp_path / "job").policy.inputs.task == "stack"
 

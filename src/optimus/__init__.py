@@ -33,6 +33,6 @@ def load_policy(run: Path | str, component: Component = "sampled", compiled: boo
     `optimus.learn.agent.PolicyAgent` for `component` and `compiled`.
     """
     from optimus.learn.agent import trained_agent  # torch takes seconds, and most of the package does without
-    from optimus.pretrained import policy_folder
+    from optimus.pretrained import trained_folder
 
-    return trained_agent(policy_folder(run), component, compiled)
+    return trained_agent(trained_folder(run), component, compiled)

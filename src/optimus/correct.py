@@ -96,12 +96,12 @@ def require_same_work(turns: Turns, task: Task, control: str, robot: str, grippe
     control, another use of the gripper, or with another robot (`robot` as records have it)."""
     from optimus.learn import checkpoint
 
-    learned_task = checkpoint.load(turns.policy).inputs.task
+    inputs = checkpoint.load(turns.policy, control=control).inputs
+    learned_task, trained_with = inputs.task, inputs.robot
     if task.name.partition("@")[0] not in [name.partition("@")[0] for name in checkpoint.tasks_of(learned_task)]:
         raise CheckpointError(f"{turns.policy} was trained for task {learned_task!r}, not {task.name!r}; name another run")
     if (learned := checkpoint.gripper_of(turns.policy)) != gripper:
         raise CheckpointError(f"{turns.policy} was trained with gripper {learned!r}, not {gripper!r}; name another run, or that")
-    trained_with = checkpoint.load(turns.policy, control=control).inputs.robot
     if trained_with != robot:
         have, wanted = task.robot_text(trained_with), task.robot_text(robot)
         raise CheckpointError(f"{turns.policy} was trained with robot {have}, not {wanted}; name another run, or that robot")

@@ -87,7 +87,7 @@ def collect(
     from optimus.correct import Turns
     from optimus.demonstrate import ExpertConfig
     from optimus.expert import TimeLaw
-    from optimus.pretrained import policy_folder
+    from optimus.pretrained import trained_folder
     from optimus.rollout import Perturbation
     from optimus.skills import Style
     from optimus.tasks import with_objects
@@ -102,7 +102,7 @@ def collect(
         seed=seed,
         workers=workers,
         expert=expert,
-        turns=Turns(policy_folder(policy)) if policy else None,
+        turns=Turns(trained_folder(policy)) if policy else None,
         control=control,
         robot=chosen_robot(robot),
         images=images,

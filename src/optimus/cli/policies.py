@@ -77,13 +77,13 @@ def evaluate(
     from optimus.filming import film_outcomes
     from optimus.learn import checkpoint as checkpoints
     from optimus.learn.card import write_card
-    from optimus.pretrained import policy_folder
+    from optimus.pretrained import trained_folder
 
     if repeats < 1:
         raise CheckpointError(f"--repeats {repeats} is not positive")
     if videos is not None:
         make_folder(videos)
-    run, states = policy_folder(run), states or ("random" if dataset is None else "validation")
+    run, states = trained_folder(run), states or ("random" if dataset is None else "validation")
     conditions, arm = Conditions(perturb, friction, mass, horizon), chosen_robot(robot)
     results: dict[str, Any] = {}
     for which in ("last", "best") if checkpoint == "both" else (checkpoint,):
@@ -118,11 +118,11 @@ def export_policy(run: RunFolder, onnx: Path, overwrite: bool = False, json: Jso
     from optimus.data.atomic import make_folder, require_free
     from optimus.learn import checkpoint
     from optimus.learn.onnx_file import export_onnx
-    from optimus.pretrained import policy_folder
+    from optimus.pretrained import trained_folder
 
     require_free(onnx, overwrite)
     make_folder(onnx.parent)
-    export_onnx(checkpoint.load(policy_folder(run)), onnx)
+    export_onnx(checkpoint.load(trained_folder(run)), onnx)
     say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 

@@ -95,11 +95,11 @@ def train(
     from optimus.learn.ranks import is_first
     from optimus.learn.sources import crop_of
     from optimus.learn.train import train as run_train
-    from optimus.pretrained import policy_folder
+    from optimus.pretrained import trained_folder
 
     chosen = chosen_preset(preset, head, observe)
     chosen = replace(chosen, policy=replace(chosen.policy, crop=crop_of(datasets)))
-    initial = None if initial is None else policy_folder(initial)
+    initial = None if initial is None else trained_folder(initial)
     if initial is not None and (preset, head, observe) != ("quick", None, "images"):
         _require_network_of(initial, chosen.policy)
     how = recipe or chosen.recipe

@@ -65,10 +65,10 @@ def write_json(path: Path, value: Any) -> None:
 def read_record(path: Path, keys: tuple[str, ...] = ()) -> dict[str, Any]:
     """What `write_json` wrote; `DatasetError` where it cannot be read or lacks one of the `keys`."""
     try:
-        found: Any = json.loads(path.read_text())
-    except (OSError, ValueError) as error:
+        found = dict(json.loads(path.read_text()))
+    except (OSError, ValueError, TypeError) as error:
         raise DatasetError(f"cannot read {path} ({error}); remove it and do again what made it") from error
-    if missing := [key for key in keys if not isinstance(found, dict) or key not in found]:
+    if missing := [key for key in keys if key not in found]:
         raise DatasetError(f"{path} lacks {', '.join(missing)}: not of this program, or damaged; name another folder, or remove it")
     return found
 

@@ -114,7 +114,7 @@ class EvalReport:
     @property
     def lines(self) -> str:
         """The outcomes as JSON lines, one an episode, in the order of the initial states: the same text whoever played them."""
-        return "".join(json.dumps(asdict(o)) + "\n" for o in self.outcomes)
+        return _lines([asdict(o) for o in self.outcomes])
 
     @property
     def file_name(self) -> str:
@@ -130,6 +130,9 @@ class EvalReport:
         if known is None or known["outcomes"][: len(mine)] != mine:
             known = self.as_dict()
             write_json(path, known)
-        lines = "".join(json.dumps(outcome) + "\n" for outcome in known["outcomes"])
-        write_whole(path.with_suffix(".jsonl"), lines.encode())
+        write_whole(path.with_suffix(".jsonl"), _lines(known["outcomes"]).encode())
         path.with_suffix(UNFINISHED).unlink(missing_ok=True)
+
+
+def _lines(outcomes: list[dict[str, Any]]) -> str:
+    return "".join(json.dumps(outcome) + "\n" for outcome in outcomes)

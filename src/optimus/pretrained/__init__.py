@@ -21,7 +21,7 @@ def names() -> list[str]:
     return sorted(path.parent.name for path in SHIPPED.glob(f"*/{CONFIG_FILE}"))
 
 
-def policy_folder(run: Path | str) -> Path:
+def trained_folder(run: Path | str) -> Path:
     """`run_folder`; of a folder of the main job (`optimus run`) that of its policy."""
     folder = run_folder(run)
     of_job = folder / "policy"

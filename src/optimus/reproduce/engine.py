@@ -17,10 +17,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from optimus.data.atomic import make_folder, write_json
+from optimus.data.atomic import make_folder, read_record, write_json
 from optimus.errors import UnknownNameError
 from optimus.learn.ranks import device_kind
-from optimus.reproduce.site import Site, commit, read_json
+from optimus.reproduce.site import Site, commit
 from optimus.reproduce.tables import TABLES, Cell, Table
 from optimus.reproduce.work import PolicyWork
 from optimus.reproduce.write import write_table
@@ -114,7 +114,7 @@ def _filled(site: Site, table: Table, cell: Cell) -> dict[str, Any]:
     """The cell, with its measurements."""
     path = _file(site, cell)
     if path.exists():
-        return read_json(path)
+        return read_record(path)
     of, own = commit(), replace(site, cell=cell.name)
     measured = cell.work.do(own)
     result = {

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from optimus.collect import CollectConfig, collect
 from optimus.conditions import USUAL, Conditions
-from optimus.data.atomic import write_json
+from optimus.data.atomic import read_record, write_json
 from optimus.data.curate import CURATION_FILE, CurationConfig, curate
 from optimus.demonstrate import ExpertConfig
 from optimus.evaluate import EvalReport, evaluate, policy_folder, random_starts, states_label, task_of, validation_starts
@@ -17,7 +17,7 @@ from optimus.expert import TimeLaw
 from optimus.learn import checkpoint
 from optimus.learn.presets import HeadName, Observe, preset
 from optimus.learn.train import Progress, train
-from optimus.reproduce.site import Site, machine, read_json
+from optimus.reproduce.site import Site, machine
 from optimus.rerender import RenderConfig, rerender
 from optimus.rollout import Perturbation
 from optimus.skills import Style
@@ -153,7 +153,7 @@ class Lesson:
     def machine(self, site: Site, seed: int) -> dict[str, Any]:
         """What the policy of that seed was trained on, and where its trials were gone on with, if that is another machine."""
         here, done = machine(), self.run(site, seed) / _DONE
-        there = read_json(done) if done.exists() and done.stat().st_size else here  # earlier versions left it empty
+        there = read_record(done) if done.exists() and done.stat().st_size else here  # earlier versions left it empty
         return here if there == here else {**there, "processor": f"{there['processor']}; then {here['processor']}"}
 
     def tried(self, site: Site, seed: int, trial: Trial) -> dict[str, Any]:

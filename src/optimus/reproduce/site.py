@@ -16,7 +16,7 @@ from typing import Any
 
 import torch
 
-from optimus.data.atomic import make_folder, write_json
+from optimus.data.atomic import make_folder, read_record, write_json
 from optimus.data.store import installed_versions, require_no_dataset
 from optimus.errors import DatasetError, require_at_least
 from optimus.reproduce.budget import Budget
@@ -56,7 +56,7 @@ class Site:
         path = self.out / "reproduce.json"
         asked = {"table": self.table, "budget": json.loads(json.dumps(asdict(self.budget))), "seed": self.seed}
         if path.exists():
-            self.record = read_json(path)
+            self.record = read_record(path)
             self.record["asked"]["budget"] = _said_of_all(self.record["asked"]["budget"], asked["budget"])
             asked["budget"]["device"] = self.record["asked"]["budget"]["device"]
             for key, (have, wanted) in _differing(self.record["asked"], asked):
@@ -87,14 +87,6 @@ class Site:
             by_cell = self.record.get("seconds_by_cell", {})
             seconds = by_cell.get(self.cell, 0.0) if self.cell else sum(self.record["seconds"].values())
         return seconds / 3600
-
-
-def read_json(path: Path) -> dict[str, Any]:
-    """A file of a reproduction; `DatasetError` if it is damaged."""
-    try:
-        return dict(json.loads(path.read_text()))
-    except (OSError, ValueError, TypeError) as error:
-        raise DatasetError(f"cannot read {path} ({error}); remove it: what it says is found again") from error
 
 
 def _differing(have: dict[str, Any], wanted: dict[str, Any]) -> Iterator[tuple[str, tuple[Any, Any]]]:

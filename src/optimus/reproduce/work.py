@@ -13,10 +13,10 @@ from optimus.bench import BenchConfig
 from optimus.bench.expert import bench_expert
 from optimus.bench.policy import bench_policy_action
 from optimus.conditions import USUAL, Conditions
-from optimus.data.atomic import make_folder, write_json
+from optimus.data.atomic import make_folder, read_record, write_json
 from optimus.data.episode import OSC
 from optimus.reproduce.lesson import Data, Lesson, Trial, options
-from optimus.reproduce.site import Site, commit, machine, read_json
+from optimus.reproduce.site import Site, commit, machine
 from optimus.reproduce.timing import expert_time
 from optimus.statistics import wilson
 from optimus.words import slug
@@ -102,7 +102,7 @@ class ExpertWork(_NothingAhead):
         """Under these conditions; what an earlier call of the same commit measured is read."""
         stage = f"expert {self.task} {self.control} {conditions.said}".strip()
         file, of, n = site.out / "expert" / f"{slug(stage)}.json", commit(), site.budget.expert_episodes
-        if file.exists() and (known := read_json(file))["commit"] == of:
+        if file.exists() and (known := read_record(file))["commit"] == of:
             return known["measured"]
         config = BenchConfig(self.task, n, EXPERT_SEED, site.workers, self.control, conditions=conditions)
         with site.timed(stage):

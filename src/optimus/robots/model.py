@@ -107,24 +107,23 @@ def _weld_others(spec: mujoco.MjSpec, used: set[str]) -> None:
     gone = {joint.name for joint in spec.joints if joint.name not in used}
     if not gone:
         return
-    along = [t for t in spec.tendons if any(_name(t.path[i].target) in gone for i in range(len(t.path)))]
-    gone_tendons = {tendon.name for tendon in along}
-    of_tendons = mujoco.mjtTrn.mjTRN_TENDON, mujoco.mjtEq.mjEQ_TENDON
-    for equality in list(spec.equalities):
-        if {equality.name1, equality.name2} & (gone_tendons if equality.type == of_tendons[1] else gone):
-            spec.delete(equality)
-    for actuator in list(spec.actuators):
-        if actuator.target in (gone_tendons if actuator.trntype == of_tendons[0] else gone):
-            spec.delete(actuator)
-    for tendon in along:
+    passing = [t for t in spec.tendons if any(_joint_of(t.path[i]) in gone for i in range(len(t.path)))]
+    joints, tendons = gone - {""}, {tendon.name for tendon in passing} - {""}  # names of other kinds of things may be the same
+    equalities = {mujoco.mjtEq.mjEQ_JOINT: joints, mujoco.mjtEq.mjEQ_TENDON: tendons}
+    drives = {mujoco.mjtTrn.mjTRN_JOINT: joints, mujoco.mjtTrn.mjTRN_JOINTINPARENT: joints, mujoco.mjtTrn.mjTRN_TENDON: tendons}
+    for equality in [e for e in spec.equalities if {e.name1, e.name2} & equalities.get(e.type, set())]:
+        spec.delete(equality)
+    for actuator in [a for a in spec.actuators if a.target in drives.get(a.trntype, set())]:
+        spec.delete(actuator)
+    for tendon in passing:
         spec.delete(tendon)
     for joint in [j for j in spec.joints if j.name in gone]:
         spec.delete(joint)
 
 
-def _name(thing: Any) -> str:
-    """Of what a tendon passes; a pulley is none."""
-    return "" if thing is None else thing.name
+def _joint_of(passed: Any) -> str | None:
+    """The name of what a tendon passes, if that is a joint."""
+    return passed.target.name if passed.type == mujoco.mjtWrap.mjWRAP_JOINT else None
 
 
 def _drive_arm(spec: mujoco.MjSpec, robot: Robot) -> None:
