@@ -17,7 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from optimus.data.atomic import is_leftover, make_folder, remove_leftovers, write_json, write_whole
+from optimus.data.atomic import is_leftover, make_folder, read_record, remove_leftovers, write_json, write_whole
 from optimus.data.episode import OSC, RENDERED, TASKS_OWN, VIEWS, Episode
 from optimus.data.episode_file import (
     VERSION,
@@ -121,7 +121,7 @@ class EpisodeStore:
 
     def read_failure(self, seed: int) -> dict[str, Any]:
         """`seed`, `reason`, `skeleton`, `info` of an attempt that failed."""
-        return _read_json(self.path / "failures" / f"{seed:08d}.json")
+        return read_record(self.path / "failures" / f"{seed:08d}.json")
 
     def header(self, seed: int) -> EpisodeHeader:
         """What an episode says about itself, without its arrays; damage and foreign files are found here."""
@@ -195,21 +195,12 @@ def _read_description(path: Path) -> dict[str, Any]:
     file = path / DESCRIPTION
     if not file.exists():
         raise DatasetError(f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one")
-    value = _read_json(file)
-    if not isinstance(value, dict) or value.get("format") != DATASET_FORMAT:
+    value = read_record(file)
+    if value.get("format") != DATASET_FORMAT:
         raise DatasetError(f"{file} does not describe a dataset of this program; name another folder")
     if value.get("version") != VERSION or not {"task", "cameras", "config"} <= value.keys():
         raise DatasetError(f"{file} has version {value.get('version')!r}; this program reads version {VERSION}")
     return value
-
-
-def _read_json(file: Path) -> Any:
-    try:
-        return json.loads(file.read_text())
-    except OSError as error:
-        raise DatasetError(f"cannot read {file}: {error.strerror or error}") from error
-    except ValueError as error:
-        raise DatasetError(f"{file} is not JSON ({error}); delete it and do again what made it") from error
 
 
 def _seeds(folder: Path, pattern: re.Pattern[str]) -> tuple[int, ...]:
