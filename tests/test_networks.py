@@ -17,7 +17,7 @@ from optimus.data.windows import WindowConfig, Windows
 from optimus.errors import UnknownNameError
 from optimus.learn.agent import PolicyAgent
 from optimus.learn.encoder import Encoder, ResNetConfig
-from optimus.learn.encoder.small_maps import SmallMapConv2d, TapProducts
+from optimus.learn.encoder.small_maps import GatheredConv2d, SmallMapConv2d, TapProducts
 from optimus.learn.gradient import LossConfig, batch_loss
 from optimus.learn.heads import BeTConfig, FlowConfig, Mixture, MixtureConfig
 from optimus.learn.policy import Policy, PolicyInputs
@@ -96,6 +96,13 @@ def test_products_of_taps_are_the_convolution(side: int, stride: int) -> None:
     above = torch.randn_like(expected)
     for have, want in zip(*(torch.autograd.grad(y, (x, weight), above) for y in (found, expected)), strict=True):
         torch.testing.assert_close(have, want, atol=1e-4, rtol=1e-4)
+
+
+@pytest.mark.parametrize(("size", "stride"), [((1, 1), 1), ((3, 3), 1), ((2, 3), 1), ((5, 5), 2), ((4, 6), 2), ((4, 4), 1)])
+def test_what_taps_see_gathered_is_the_convolution_of_an_image(size: tuple[int, int], stride: int) -> None:
+    torch.manual_seed(0)
+    conv, x = SmallMapConv2d(6, 4, 3, stride, 1, bias=False), torch.randn(1, 6, *size)
+    torch.testing.assert_close(GatheredConv2d(conv)(x), F.conv2d(x, conv.weight, stride=stride, padding=1))
 
 
 def difference(first: list[Tensor], second: list[Tensor]) -> float:

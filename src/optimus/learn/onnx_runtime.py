@@ -5,6 +5,7 @@ On one image at a time PyTorch spends most of its time between the operations, a
 
 from __future__ import annotations
 
+import copy
 import importlib.util
 from collections.abc import Callable, Mapping
 
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from optimus.errors import CheckpointError
+from optimus.learn.encoder.prepack import replace
+from optimus.learn.encoder.small_maps import GatheredConv2d, SmallMapConv2d
 from optimus.learn.onnx_file import onnx_model
 from optimus.learn.policy import Policy
 
@@ -30,7 +33,8 @@ class _Looking(nn.Module):
 
     def __init__(self, policy: Policy) -> None:
         super().__init__()
-        self.policy = policy
+        self.policy = copy.deepcopy(policy)
+        replace(self.policy, SmallMapConv2d, GatheredConv2d)
         self.names = [*policy.inputs.cameras, *policy.inputs.proprioception]
 
     def forward(self, *inputs: Tensor) -> Tensor:

@@ -7,9 +7,13 @@ call. Laid out beforehand an image takes half as long, to the same result.
 from __future__ import annotations
 
 import copy
+from collections.abc import Callable
+from typing import TypeVar
 
 import torch
 from torch import Tensor, nn
+
+Found = TypeVar("Found", bound=nn.Module)
 
 
 class PrepackedConv2d(nn.Module):
@@ -25,6 +29,14 @@ class PrepackedConv2d(nn.Module):
         """As `nn.Conv2d`."""
         convolve = torch.ops.mkldnn._convolution_pointwise
         return convolve(x, self.weight, self.bias, self.padding, self.stride, [1, 1], 1, "none", [], "")
+
+
+def replace(network: nn.Module, kind: type[Found], made: Callable[[Found], nn.Module]) -> None:
+    """Put in the place of every module of `kind` in `network` what is `made` of it."""
+    for parent in list(network.modules()):
+        for name, child in list(parent.named_children()):
+            if isinstance(child, kind):
+                setattr(parent, name, made(child))
 
 
 @torch.no_grad()
@@ -43,8 +55,5 @@ def prepacked(network: nn.Module, images: Tensor) -> nn.Module:
     packed(images)
     for hook in hooks:
         hook.remove()
-    for parent in list(packed.modules()):
-        for name, child in list(parent.named_children()):
-            if isinstance(child, nn.Conv2d):
-                setattr(parent, name, PrepackedConv2d(child, shapes[child]))
+    replace(packed, nn.Conv2d, lambda convolution: PrepackedConv2d(convolution, shapes[convolution]))
     return packed
