@@ -212,6 +212,20 @@ def test_out_of_time_is_said_with_the_names() -> None:
     assert "time" in found.reason and {"cubeA", "cubeB"} <= set(found.objects)
 
 
+def test_a_plan_is_given_up_by_a_count_that_is_the_same_wherever_it_is_made() -> None:
+    env = ManipulationEnv(task("stack"), images=False)
+    env.reset(seed=0)
+
+    def answers(effort: int | None) -> Plan | Infeasible:
+        return solve(Workspace(env.world), env.state(), env.problem.goal, np.random.default_rng(0), Budget(effort=effort))
+
+    plan = answers(None)
+    assert isinstance(plan, Plan)
+    took = plan.stats["effort"]
+    assert isinstance(answers(took), Plan)
+    assert isinstance(answers(took // 2), Infeasible)
+
+
 def test_a_goal_that_no_skill_reaches() -> None:
     env = ManipulationEnv(task("pick-place"), images=False)
     env.reset(seed=0)

@@ -32,14 +32,16 @@ OUT_OF_TIME = "planning time spent"
 class Budget:
     """When to give up."""
 
-    seconds: float = 10.0
-    """CPU time."""
+    seconds: float | None = None
+    """CPU time, if that is to count: what a seed gives then depends on the machine."""
+    effort: int | None = 150_000
+    """Poses and collisions asked for (`Workspace.effort`): some 10 s of CPU."""
     skeletons: int = 50
     refinements: int = 8
     """Ways of one skill tried before the planner backtracks to the one before it."""
 
     def __post_init__(self) -> None:
-        require_at_least(0, planning_seconds=self.seconds)
+        require_at_least(0, planning_seconds=self.seconds, planning_effort=self.effort)
 
 
 @dataclass(eq=False)
@@ -176,10 +178,11 @@ def solve(
     effort: float = math.inf,
 ) -> Plan | Infeasible:
     """A plan from `state` to `goal`, or why there is none. Never raises for a problem without a solution. It gives up after
-    `effort` (`Workspace.effort`) as it does when its time is spent."""
+    `effort`, or the budget's if that is less."""
     budget = budget or Budget()
     began, effort_before = time.process_time(), workspace.effort
-    workspace.deadline, workspace.most = began + budget.seconds, effort_before + effort
+    workspace.deadline = math.inf if budget.seconds is None else began + budget.seconds
+    workspace.most = effort_before + min(effort, math.inf if budget.effort is None else budget.effort)
     state = _as_seen(workspace.scene, state)
     facts, learned = _facts(workspace.scene, state, goal), frozenset()
     ground_operators = operators_of(workspace, facts)

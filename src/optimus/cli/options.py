@@ -39,7 +39,7 @@ Backend = Annotated[
     Literal["local", "ray"],
     arg(help="where the workers are: here, or in Ray: the cluster that RAY_ADDRESS names, else one of its own"),
 ]
-PlanningSeconds = Annotated[float | None, arg(help="CPU seconds that one plan may take; by default 10")]
+PlanningSeconds = Annotated[float | None, arg(help="CPU seconds that one plan may take, instead of a count of what it asks for")]
 Json = Annotated[bool, arg(help="answer with one JSON object, the last line of standard output")]
 
 
@@ -59,7 +59,7 @@ def chosen_budget(seconds: float | None) -> Budget:
     """What a plan may cost."""
     from optimus.planner import Budget
 
-    return Budget() if seconds is None else Budget(seconds)
+    return Budget() if seconds is None else Budget(seconds, effort=None)
 
 
 def chosen_robot(name: str | None) -> Robot | None:
