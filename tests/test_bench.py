@@ -1,5 +1,6 @@
 """Measurements: each branch by itself, every failure with its seed, and a profile that finds what was put there."""
 
+import signal
 import time
 from dataclasses import replace
 from functools import partial
@@ -14,6 +15,7 @@ from optimus.bench.where import looking, planning_shares
 from optimus.cli.output import table
 from optimus.demonstrate import Attempt, ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
+from optimus.errors import WorkerError
 from optimus.tasks import task
 from optimus.workers import finished
 
@@ -74,6 +76,11 @@ def test_shares_of_planning_time_add_up(monkeypatch: pytest.MonkeyPatch) -> None
     found = planning_shares(BenchConfig("stack", episodes=2))
     assert sum(found["planning_shares"].values()) == pytest.approx(1.0)
     assert found["planning_shares"]["kinematics"] > 0.1 and found["looked_at"]["plans"] >= 2
+
+
+def test_a_worker_that_is_killed_is_named() -> None:
+    with pytest.raises(WorkerError, match="a worker process was killed"):
+        list(finished([partial(signal.raise_signal, signal.SIGKILL)] * 2, 2))
 
 
 @pytest.mark.parametrize("workers", [1, 2])

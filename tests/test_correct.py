@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from optimus.collect import CollectConfig, collect
 from optimus.correct import Corrections, Turns
+from optimus.data.episode import MISHAP, Observation
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
@@ -40,6 +42,23 @@ def test_the_policy_acts_and_the_expert_answers(taught: tuple[Path, Path]) -> No
     assert first.info["perturbed"] and not first.success  # three steps of training teach nobody to stack
     # a label is what a fresh follower of the same plan would say, wherever the policy went
     assert np.abs(first.actions).max() <= 1.0 and set(np.unique(first.actions[:, 6])) <= {-1.0, 1.0}
+
+
+def test_while_a_grasp_is_led_astray_the_policy_sees_every_frame(taught: tuple[Path, Path]) -> None:
+    seen, shown = [], Corrections.next
+
+    class Watched(Corrections):
+        def next(self, observation: Observation, label: NDArray[np.float32], slack: float) -> NDArray[np.float64]:
+            seen.append(observation["robot0_eef_pos"].copy())
+            return shown(self, observation, label, slack)
+
+    config = ExpertConfig(mishaps=1.0)
+    seed = next(seed for seed in range(50) if config.mishap(seed) == "miss")
+    never = partial(Watched, Turns(taught[1], policy_steps=1.0, expert_steps=1e12))
+    episode = demonstrate(ManipulationEnv(task("stack")), seed, config, never).episode
+    assert episode is not None and MISHAP in episode.info
+    np.testing.assert_array_equal(np.array(seen), episode.observations["robot0_eef_pos"][: len(seen)])
+    assert len(seen) >= len(episode) - LAST_LOOK
 
 
 def test_a_policy_is_corrected_with_the_gripper_that_it_was_taught(taught: tuple[Path, Path], tmp_path: Path) -> None:

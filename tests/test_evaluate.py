@@ -129,10 +129,12 @@ def test_interrupted_it_goes_on_and_ends_the_same(taught: tuple[Path, Path], tmp
     with pytest.raises(KeyboardInterrupt):
         evaluate(run, random_starts(5), "random", workers=1, progress=stop, conditions=SHORT, keep=True)
     (kept,) = run.glob("*.unfinished")
-    kept.write_text(kept.read_text() + '{"index": 3, "se')  # killed as it wrote
+    lines = kept.read_text().splitlines(keepends=True)
+    damaged = [*lines[:3], lines[3][:20] + "\n", '{"seed": 3}\n', "[]\n"]  # what a machine that went down may leave
+    kept.write_text("".join(damaged) + '{"index": 3, "se')  # killed as it wrote
     seen: list[int] = []
     again = evaluate(run, random_starts(5), "random", workers=1, progress=lambda n, _: seen.append(n), conditions=SHORT, keep=True)
-    assert again == whole and seen == [4, 5]
+    assert again == whole and seen == [3, 4, 5]
     again.write(run)
     assert not list(run.glob("*.unfinished"))
 

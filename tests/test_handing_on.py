@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -96,6 +97,9 @@ def test_the_card_tells_success_with_its_interval(run: Path, tmp_path: Path) -> 
     (folder / "evaluation-random.json").write_text(json.dumps(report))
     write_card(folder)
     assert "| square | random | 43 of 50 | 74 to 93 % |" in (folder / "README.md").read_text()
+    (folder / "evaluation-random.json").write_text(json.dumps({**report, "distinct_states": 29}))
+    write_card(folder)
+    assert "| square | random (29 different) | 43 of 50 | 74 to 93 % |" in (folder / "README.md").read_text()
 
 
 @pytest.mark.parametrize(("name", "head"), [("quick", None), ("quick-rnn", "bet")])
@@ -119,6 +123,29 @@ def test_an_onnx_file_answers_as_torch_does(name: str, head: str | None, tmp_pat
         np.testing.assert_allclose(action[0], agent.act(frame), atol=1e-5)
         assert weights.sum() == pytest.approx(1, abs=1e-5)
         np.testing.assert_allclose(means[weights.argmax(), :6].clip(-1, 1), action[0, :6], atol=1e-6)
+
+
+@pytest.mark.parametrize("head", ["gaussian", "flow"])
+def test_an_onnx_file_of_a_policy_with_a_continuous_gripper(head: Literal["gaussian", "flow"], tmp_path: Path) -> None:
+    for package in ("onnx", "onnxscript"):
+        pytest.importorskip(package, reason=f"needs {package}, of the extra `onnx`")
+    runtime = pytest.importorskip("onnxruntime", reason="needs onnxruntime, of the extra `onnx`")
+    from optimus.learn.onnx_file import ExportError, export_onnx
+
+    config = preset("quick-mlp", head).policy
+    policy = fresh_policy(config, PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1, keypose=12), 0).eval()
+    export_onnx(policy, tmp_path / "policy.onnx", "continuous")
+    session = runtime.InferenceSession(str(tmp_path / "policy.onnx"), providers=["CPUExecutionProvider"])
+    assert json.loads(session.get_modelmeta().custom_metadata_map["optimus.gripper"]) == "continuous"
+    frame = frames(make_episode(3, 1))[0]
+    tokens = np.zeros((config.context, config.trunk.token), np.float32)
+    action = session.run(["action"], {**frame, "tokens": tokens, "first": np.array(True)})[0]
+    assert np.all(np.abs(action[:, 6]) < 1.0)
+    if head == "gaussian":  # whose continuous answer has nothing drawn in it
+        np.testing.assert_allclose(action[0], PolicyAgent(policy, "continuous").act(frame), atol=1e-5)
+    odd = fresh_policy(config, PolicyInputs("square", CAMERAS, PROPRIOCEPTION, 1, frame=None, keypose=12), 0)
+    with pytest.raises(ExportError, match="pictures of different sizes"):
+        export_onnx(odd, tmp_path / "odd.onnx")
 
 
 def test_without_images_a_policy_is_told_where_things_are(dataset: Path, tmp_path: Path) -> None:

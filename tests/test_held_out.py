@@ -95,11 +95,39 @@ def test_a_start_that_the_policy_has_learned_from_is_refused(tmp_path: Path) -> 
     for folder in (run, run / "best"):
         with pytest.raises(CheckpointError, match=f"learned from {len(leaked)} of these initial states .seeds {leaked[0]}"):
             evaluate(folder, validation_starts(data, 8), "validation", workers=1)
+    with pytest.raises(DatasetError, match=f"run has learned from {len(leaked)} of the {len(again.validation)} initial states"):
+        train(data, tmp_path / "on", TrainConfig(steps=2), preset("quick", observe="state").policy, initial=run)
+    assert not (tmp_path / "on").exists()
     # a run that begins with its weights has learned from what it had learned from
-    train(data, tmp_path / "on", TrainConfig(steps=2), preset("quick", observe="state").policy, initial=run)
-    curate(data, CurationConfig())
+    next(c for seed in range(20) if not set((c := curate(data, CurationConfig(seed=seed))).validation) & set(found.train))
+    one = TrainConfig(steps=2, demonstrations=1)
+    train(data, tmp_path / "on", one, preset("quick", observe="state").policy, initial=run)
     store = EpisodeStore.open(data)
     assert {store.header(s).start for s in found.train} <= learned_starts(tmp_path / "on")
+
+
+def test_sizes_that_are_held_out_are_learned_from_nowhere_else(tmp_path: Path) -> None:
+    """Corrections with such a size are left out; a second dataset with one is refused."""
+
+    def sized(name: str, sizes: dict[int, str]) -> Path:
+        store = EpisodeStore.create(tmp_path / name, "square", CAMERAS, {"position_scale": 1.0})
+        for seed, size in sizes.items():
+            store.write(make_episode(seed, steps=6, info={RECEPTACLE: size}))
+        return store.path
+
+    data = sized("data", {0: "a", 1: "b", 2: "c"})
+    (held_out,) = (validation := curate(data)).validation
+    size, other = "abc"[held_out], "abc"[validation.train[0]]
+    corrections = sized("corrections", {10: size, 11: other, 12: "d"})
+    small = preset("quick-mlp", observe="state").policy
+    run = tmp_path / "run"
+    train(data, run, TrainConfig(steps=1), small, corrections=corrections)
+    corrected = EpisodeStore.open(corrections)
+    assert [corrected.header(seed).start in learned_starts(run) for seed in (10, 11, 12)] == [False, True, True]
+    more = sized("more", {20: size, 21: size, 22: "e"})
+    next(c for seed in range(20) if 20 in (c := curate(more, CurationConfig(seed=seed))).train)
+    with pytest.raises(DatasetError, match="have furniture of a size that is learned from"):
+        train([data, more], tmp_path / "both", TrainConfig(steps=1), small)
 
 
 def test_demonstrations_that_all_begin_alike_are_learned_from(tmp_path: Path) -> None:

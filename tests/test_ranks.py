@@ -152,6 +152,15 @@ def test_several_processes_need_a_number_of_steps(dataset: Path, tmp_path: Path,
         train(dataset, tmp_path, replace(QUICK, steps=None), SMALL)
 
 
+def test_processes_that_find_other_episodes_do_not_train_together(
+    dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where one of them opened a dataset before another one had curated it."""
+    monkeypatch.setattr(Ranks, "agree", lambda self, value: "another split" if isinstance(value, str) else value)
+    with pytest.raises(TrainingError, match="process 0 found other episodes than the first one"):
+        train(dataset, tmp_path / "run", QUICK, SMALL)
+
+
 @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU here")
 def test_a_device_that_is_not_there_is_an_error(dataset: Path, tmp_path: Path) -> None:
     assert device_kind("auto") == device_kind("cpu") == "cpu"

@@ -155,7 +155,10 @@ def demonstrate(
 
     def push(seen: Observation, label: np.ndarray) -> np.ndarray | None:
         astray = None if missed is None else missed.next(label)
-        return astray if astray is not None or pushes is None else pushes.next(seen, label, expert.slack(steady))
+        if pushes is None or (astray is not None and meddler is None):
+            return astray
+        answer = pushes.next(seen, label, expert.slack(steady))  # a policy is shown every frame, whoever acts
+        return answer if astray is None else astray
 
     episode = rollout(env, observation, expert, "expert", push, mishap)
     info = {**episode.info, "perturbed": pushes is not None, **_facts(expert, plan)}

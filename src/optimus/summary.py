@@ -200,4 +200,5 @@ def _evaluation(report: dict[str, Any], how: str = "") -> EvaluationStats:
         paper_rule_successes=report["paper_rule_successes"],
         failures=report["failures"],
         rows=rows,
+        distinct=report.get("distinct_states"),
     )

@@ -138,6 +138,8 @@ def finished(jobs: Sequence[Callable[[], T]], workers: int) -> Iterator[tuple[in
         try:
             for future in as_completed(numbers):
                 yield numbers[future], future.result()
+        except BrokenExecutor as error:
+            raise WorkerError("a worker process was killed, perhaps for want of memory; try again with fewer --workers") from error
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
 

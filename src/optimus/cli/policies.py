@@ -122,7 +122,8 @@ def export_policy(run: RunFolder, onnx: Path, overwrite: bool = False, json: Jso
 
     require_free(onnx, overwrite)
     make_folder(onnx.parent)
-    export_onnx(checkpoint.load(trained_folder(run)), onnx)
+    folder = trained_folder(run)
+    export_onnx(checkpoint.load(folder), onnx, checkpoint.gripper_of(folder))
     say({"run": str(run), "onnx": str(onnx), "bytes": onnx.stat().st_size}, json, str(onnx))
 
 

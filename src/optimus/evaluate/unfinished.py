@@ -35,9 +35,12 @@ class Unfinished:
         if lines[0] != self._first_line:
             return False
         for line in lines[1:-1]:  # behind the last end of a line there may be a piece of one
-            found: dict[str, Any] = json.loads(line)
-            if (index := found.pop("index")) < count:
-                self.outcomes[index] = Outcome(**found)
+            try:
+                found: dict[str, Any] = json.loads(line)
+                if (index := found.pop("index")) < count:
+                    self.outcomes[index] = Outcome(**found)
+            except (ValueError, KeyError, TypeError, AttributeError):  # damaged: that episode is played again
+                continue
         kept = [self._first_line, *(self._line(i) for i in self.outcomes)]
         write_whole(self.file, "".join(line + "\n" for line in kept).encode())
         return True

@@ -87,14 +87,21 @@ def _success(run: Path) -> str:
             low, high = map(float, report["interval"])
         except (DatasetError, TypeError, ValueError):  # damaged or another's: not worth losing a training for
             continue
+        states = file.stem.removeprefix("evaluation-") + _different(report)
         rows.append(
-            f"| {report['task']} | {file.stem.removeprefix('evaluation-')} | {report['successes']} of {report['episodes']} | "
+            f"| {report['task']} | {states} | {report['successes']} of {report['episodes']} | "
             f"{100 * low:.0f} to {100 * high:.0f} % |"
         )
     if not rows:
         return "## Success\n\nNot evaluated yet: `optimus evaluate`.\n"
     head = "| task | initial states and conditions | successes | 95 % interval (Wilson) |\n|---|---|---|---|"
     return "## Success\n\n" + "\n".join([head, *rows]) + "\n"
+
+
+def _different(report: dict[str, Any]) -> str:
+    """How many initial states there are, where some were played more than once: the interval counts them all."""
+    distinct = report.get("distinct_states", report["episodes"])
+    return f" ({distinct} different)" if distinct != report["episodes"] else ""
 
 
 _LICENCE = """## Licence

@@ -4,9 +4,9 @@ Inputs: `<camera>_image` `(84, 84, 3)` uint8 (or of the size that the policy was
 `(n,)` float32; `tokens` `(context, width)` float32, what the step before gave (anything at the first step); `first` (bool): forget
 what was before.
 
-Outputs: `action` `(chunk, n)` float32, the likeliest, gripper -1 or 1, of which the first `optimus.executed` (in the metadata) are
-for this step and those that follow; `next_tokens`, for the next step; and of a mixture
-`weights` `(K,)` and `means` `(K, n)`, to draw from instead.
+Outputs: `action` `(chunk, n)` float32, the likeliest, of which the first `optimus.executed` (in the metadata) are for this step and
+those that follow, its gripper -1 or 1, or as it comes where `optimus.gripper` is continuous; `next_tokens`, for the next step; and
+of a mixture `weights` `(K,)` and `means` `(K, n)`, to draw from instead.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ import torch
 from torch import Tensor, nn
 
 from optimus.data.atomic import write_whole
-from optimus.data.episode import IMAGE_SIZE, IMAGE_SUFFIX
+from optimus.data.episode import BINARY, CONTINUOUS, IMAGE_SIZE, IMAGE_SUFFIX
 from optimus.errors import OptimusError
 from optimus.learn.heads import Mixture
 from optimus.learn.policy import Policy
@@ -38,12 +38,13 @@ class ExportError(OptimusError):
     """A policy that cannot be written in another format."""
 
 
-def export_onnx(policy: Policy, file: Path) -> None:
-    """Write `policy` to `file`; `ExportError` without the packages of the extra `onnx`."""
-    step = OneStep(policy).eval()
+def export_onnx(policy: Policy, file: Path, gripper: str = BINARY) -> None:
+    """Write `policy`, which was taught with that kind of `gripper`, to `file`; `ExportError` without the packages of the extra
+    `onnx`, or if its cameras have pictures of different sizes."""
+    step = OneStep(policy, gripper).eval()
     model = onnx_model(step, step.example(), step.inputs, step.outputs)
     config = policy.config
-    about = {"inputs": asdict(policy.inputs), "context": config.context, "executed": config.head.executed}
+    about = {"inputs": asdict(policy.inputs), "context": config.context, "executed": config.head.executed, "gripper": gripper}
     about["parameters"] = policy.parameter_count
     for key, value in about.items():
         model.metadata_props.add(key=f"optimus.{key}", value=json.dumps(value))
@@ -85,10 +86,12 @@ def _without_chatter() -> Iterator[None]:
 class OneStep(nn.Module):
     """One step of a policy, of tensors alone."""
 
-    def __init__(self, policy: Policy) -> None:
+    def __init__(self, policy: Policy, gripper: str = BINARY) -> None:
         super().__init__()
-        self.policy = copy.deepcopy(policy).eval().requires_grad_(False)
+        self.policy, self.gripper = copy.deepcopy(policy).eval().requires_grad_(False), gripper
         seen = policy.inputs
+        if seen.cameras and seen.frame is None:
+            raise ExportError("the cameras of this policy have pictures of different sizes; an ONNX file has one for all")
         self.frame = seen.frame or (IMAGE_SIZE, IMAGE_SIZE)
         self.inputs = [*(camera + IMAGE_SUFFIX for camera in seen.cameras), *seen.proprioception, "tokens", "first"]
         answers = self._answers(torch.zeros(1, policy.config.trunk.width))
@@ -114,7 +117,8 @@ class OneStep(nn.Module):
         moved = torch.cat([values["tokens"][1:], token])
         tokens = torch.where(values["first"], token.expand_as(moved), moved)
         answers = self._answers(policy.features(tokens[None])[:, -1])
-        action = policy.denormalise(answers.answer("likeliest", torch.Generator())).clip(-1, 1)
+        chosen = answers.likeliest() if self.gripper == CONTINUOUS else answers.answer("likeliest", torch.Generator())
+        action = policy.denormalise(chosen).clip(-1, 1)
         rest: tuple[Tensor, ...] = ()
         if isinstance(answers, Mixture):
             rest = (torch.softmax(answers.logits[0], -1), policy.denormalise(answers.mean[0]))

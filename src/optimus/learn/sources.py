@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from optimus.data.curate import Curation, load_curation
-from optimus.data.episode import BINARY, IMAGE_SIZE, IMAGE_SUFFIX, IMPORTED, VIEWS
+from optimus.data.episode import BINARY, IMAGE_SIZE, IMAGE_SUFFIX, IMPORTED, RECEPTACLE, VIEWS
 from optimus.data.episode_file import OBSERVATION_PREFIX, EpisodeHeader
 from optimus.data.store import EpisodeStore
 from optimus.data.windows import WindowConfig, Windows
@@ -35,7 +35,7 @@ class Sources:
     datasets: tuple[Path, ...]
     """Curated; their shares in training are those of their steps."""
     corrections: tuple[Path, ...] = ()
-    """All of these is trained on."""
+    """All of these is trained on, but for furniture of a size that is held out."""
     initial: Path | None = None
 
 
@@ -67,17 +67,20 @@ class Lessons:
             raise DatasetError(f"{first.path} holds no images; add them with optimus render, or train with --observe state")
         for store in stores[1:]:
             _require_same_meaning(store, first)
-        extra = [header for path in sources.corrections for header in _corrections(path, stores)]
+        rest = _rest(stores, curations, "validation")
+        held_out = [*(first.header(s) for s in curations[0].validation), *rest]
+        sizes = {size for h in held_out if (size := _size(h))}
+        extra = [h for path in sources.corrections for h in _corrections(path, stores) if _size(h) not in sizes]
         train = [*_rest(stores, curations, "train"), *extra]
         learned = [*(first.header(s) for s in curations[0].train), *train]
-        held_out = _rest(stores, curations, "validation")
         centre = replace(cut, windows=1, change_weight=1.0)
         windows = Windows(first, curations[0].train, cut, train)
-        validation = Windows(first, curations[0].validation, centre, held_out)
+        validation = Windows(first, curations[0].validation, centre, rest)
         largest = float(max(np.abs(part.actions).max(initial=0.0) for part in (windows, validation)))
         if largest > 1.0 + 1e-4:
             raise DatasetError(f"{first.path} has actions up to {largest:.3g}; policies answer from -1 to 1: scale and import them")
-        _require_apart(learned, [*(first.header(s) for s in curations[0].validation), *held_out])
+        _require_apart(learned, held_out)
+        _require_new_to(sources.initial, held_out)
         return cls(
             joint_task(store.task for store in stores),
             windows,
@@ -130,12 +133,33 @@ def _require_apart(learned: Sequence[EpisodeHeader], held_out: Sequence[EpisodeH
     known = {(h.task, h.start) for h in learned if _has_start(h)}
     if len(known | {(h.task, h.start) for h in held_out if _has_start(h)}) == 1:
         return
-    both = [h for h in held_out if _has_start(h) and (h.task, h.start) in known]
+    sizes = {size for h in learned if (size := _size(h))}
+    for both, what in (
+        ([h for h in held_out if _has_start(h) and (h.task, h.start) in known], "begin like one that is learned from"),
+        ([h for h in held_out if _size(h) in sizes], "have furniture of a size that is learned from"),
+    ):
+        if both:
+            raise DatasetError(
+                f"{len(both)} of {len(held_out)} held-out episodes {what} ({both[0].path} the first); "
+                "curate all datasets alike, or leave one out"
+            )
+
+
+def _require_new_to(initial: Path | None, held_out: Sequence[EpisodeHeader]) -> None:
+    """`DatasetError` if the run that training begins with has learned from an initial state that is held out now."""
+    before = set() if initial is None else learned_starts(initial)
+    both = [h for h in held_out if _has_start(h) and h.start in before]
     if both:
         raise DatasetError(
-            f"{len(both)} of {len(held_out)} held-out episodes begin like one that is learned from ({both[0].path} the first); "
-            "curate all datasets alike, or leave one out"
+            f"{initial} has learned from {len(both)} of the {len(held_out)} initial states held out ({both[0].path} first); "
+            "the dataset was curated anew since, or has the same seeds; train without --initial, or collect others with --seed"
         )
+
+
+def _size(header: EpisodeHeader) -> tuple[str, str] | None:
+    """The task and the size of its furniture, where that is drawn."""
+    size = header.info.get(RECEPTACLE)
+    return (header.task, str(size)) if size else None
 
 
 def _starts(learned: Sequence[EpisodeHeader], initial: Path | None) -> list[str]:

@@ -113,7 +113,10 @@ class _Trainer:
         begun = checkpoint.load(sources.initial) if sources.initial else None
         policy_config = begun.config if begun else policy_config
         cut = policy_config.cut(config.windows, config.change_weight, config.change_reach)
+        ranks.agree(None)  # only now may the others look: the first one curates before it comes here
         lessons = Lessons.of(sources, cut, config.demonstrations)
+        if ranks.agree(split := lessons.about[SPLIT]) != split:
+            raise TrainingError(f"process {ranks.rank} found other episodes than the first one; leave the data alone meanwhile")
         self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
         inputs = PolicyInputs.of(lessons.task, self.windows, policy_config.aims)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)

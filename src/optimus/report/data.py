@@ -46,10 +46,12 @@ class EvaluationStats:
     paper_rule_successes: int | None = None
     failures: Mapping[str, int] = field(default_factory=dict)  # by cause
     rows: Sequence[Mapping[str, Any]] = ()  # one an episode; its keys are the table's columns
+    distinct: int | None = None  # initial states, where some were played more than once: the interval counts every episode
 
     @property
     def label(self) -> str:
-        return ", ".join([f"{self.states} states", *filter(None, self.conditions.split("+"))])
+        again = f" ({self.distinct} different)" if self.distinct not in (None, self.episodes) else ""
+        return ", ".join([f"{self.states} states{again}", *filter(None, self.conditions.split("+"))])
 
 
 @dataclass(frozen=True)

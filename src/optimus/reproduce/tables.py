@@ -132,7 +132,7 @@ TABLES: dict[str, Table] = {
     for t in (
         Table(
             "table-b1",
-            "Table B.1: adapting to the scene. Receptacles: sizes that no training demonstration has",
+            "Table B.1: adapting to the scene. Receptacles: validation states of sizes that no training demonstration has",
             _methods(
                 ("StackAdapt", "stack-adapt"),
                 ("MicrowaveAdapt", "microwave-adapt"),
