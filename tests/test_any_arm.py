@@ -255,6 +255,12 @@ def test_joints_that_are_not_named_stay_where_they_are(wild: Path) -> None:
         ("[gripper]", '[gripper]\nactuator = "motor"', r"no actuator 'motor' .*none"),
         ("[gripper]", "[gripper]\nshut = [0.0, 0.0]\nopen = [0.0, 0.0]", r"do not move"),
         ('joints = ["left", "right"]', 'joints = ["left", "spare"]', r"spare does not slide"),
+        ('["turn", "spare"]\nhome = [0.0, 0.5]', '["turn", "left"]\nhome = [0.0, 0.0]', r"left stands in joints and in gripper"),
+        ("[gripper]", "[gripper]\nshut = [0.0, 0.0]\nopen = [0.5, -0.5]", r"gripper.open: 0.5 is outside the range of left, 0"),
+        ("[gripper]", "[gripper]\nshut = [0.03, -0.03]\nopen = [0.0, 0.0]", r"80 mm apart at gripper.shut and 20 at gripper.open"),
+        ("[gripper]", '[gripper]\nmount = { body = "hand" }', r"gripper.model names none"),
+        ('hand = "hand"', 'hand = "world"', r"hand: world is not moved by spare, the arm's last joint"),
+        ('hand = "hand"', 'hand = "arm"', r"hand: arm is not moved by spare"),
     ],
 )
 def test_mistakes_in_a_robot_file_are_named(wild: Path, old: str, new: str, said: str) -> None:

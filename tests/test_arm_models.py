@@ -17,6 +17,7 @@ from optimus.kinematics import Kinematics
 from optimus.robots import PANDA
 from optimus.robots.file import read_robot
 from optimus.robots.menagerie import fetch
+from optimus.robots.model import robot_spec
 from optimus.se3 import error_between
 from optimus.tasks import task
 from optimus.world import compile_scene
@@ -68,6 +69,74 @@ def test_the_closed_form_knows_where_the_arm_stands() -> None:
     assert len(starts) >= 4
     for q in starts:
         assert np.abs(error_between(target, k.fk(q))).max() < 1e-3
+
+
+@pytest.mark.parametrize("shape", ['<box size="0.02 0.01 0.02"/>', '<cylinder radius="0.01" length="0.02"/>'])
+def test_a_pad_touches_in_place_of_primitive_shapes_which_are_seen_and_weigh_as_before(wild: Path, shape: str) -> None:
+    urdf = next(wild.parent.rglob("wild.urdf"))
+    urdf.write_text(urdf.read_text().replace('<box size="0.02 0.01 0.02"/>', shape))
+    without = robot_spec(read_robot(wild)).compile()
+    wild.write_text(wild.read_text() + "pad = { pos = [0.0, 0.0, 0.005], half = [0.004, 0.004, 0.004] }\n")
+    model = robot_spec(read_robot(wild)).compile()
+    for name in ("left", "right"):
+        body = model.body(name)
+        of = [g for g in range(model.ngeom) if model.geom_bodyid[g] == body.id]
+        touching = [g for g in of if model.geom_contype[g] or model.geom_conaffinity[g]]
+        np.testing.assert_allclose([model.geom_size[g] for g in touching], [[0.004] * 3])
+        assert any(model.geom_group[g] < 3 for g in of)  # renderers draw these
+        np.testing.assert_allclose(body.mass, without.body(name).mass)
+
+
+def test_fingers_that_weigh_by_their_shapes_alone_keep_their_mass_under_a_pad(tmp_path: Path) -> None:
+    file = altered_panda(tmp_path)
+    model = file.parent / "panda" / "panda.xml"
+    text, count = re.subn(r'(<body name="(left|right)_finger"[^>]*>)\s*<inertial[^>]*/>', r"\1", model.read_text())
+    assert count == 2
+    model.write_text(text)
+    assert robot_spec(read_robot(file)).compile().body("left_finger").mass > 0.0
+
+
+def test_a_root_that_floats_is_welded_and_what_does_not_compile_is_named(wild: Path) -> None:
+    urdf = next(wild.parent.rglob("wild.urdf"))
+    text = urdf.read_text()
+    urdf.write_text(text.replace('name="fixed" type="fixed"', 'name="fixed" type="floating"'))
+    assert compile_scene(task("stack").problem(0, read_robot(wild)).scene).model.nu == 4  # two joints, two fingers
+    urdf.write_text(text.replace('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>'))
+    with pytest.raises(RobotFileError, match="axis"):
+        read_robot(wild)
+
+
+def test_a_geared_motor_is_as_strong_as_its_gear_makes_it(tmp_path: Path) -> None:
+    file = altered_panda(tmp_path)
+    model = file.parent / "panda" / "panda.xml"
+    text = model.read_text()
+    for i, motor in ((1, 'forcerange="-2 2" gear="40"'), (2, 'ctrlrange="-3 3" gear="30"')):
+        text, count = re.subn(rf'<general [^>]*name="actuator{i}"[^>]*/>', f'<motor joint="joint{i}" {motor}/>', text)
+        assert count == 1
+    model.write_text(text)
+    assert read_robot(file).torque_limits[:3] == (80.0, 90.0, PANDA.torque_limits[2])
+
+
+def test_other_options_of_a_model_are_the_worlds_without_a_word(
+    tmp_path: Path, recwarn: pytest.WarningsRecorder, capfd: pytest.CaptureFixture[str]
+) -> None:
+    file = altered_panda(tmp_path, ("<option ", '<option timestep="0.001" gravity="0 0 0" '))
+    world = compile_scene(task("stack").problem(0, read_robot(file)).scene)
+    usual = compile_scene(task("stack").problem(0).scene).model.opt
+    assert world.model.opt.timestep == usual.timestep and np.array_equal(world.model.opt.gravity, usual.gravity)
+    assert not recwarn.list and "onflict" not in "".join(capfd.readouterr())
+
+
+def test_an_edited_file_that_a_model_includes_is_noticed(tmp_path: Path) -> None:
+    file = altered_panda(tmp_path)
+    folder = file.parent / "panda"
+    (folder / "arm.xml").write_text('<mujoco><include file="panda.xml"/></mujoco>')
+    file.write_text(file.read_text().replace("panda.xml", "arm.xml"))
+    before = task("stack").fingerprint(0, read_robot(file))
+    assert task("stack").fingerprint(0, read_robot(file)) == before
+    text = (folder / "panda.xml").read_text()
+    (folder / "panda.xml").write_text(text.replace("<body name=", "<!-- another --><body name=", 1))
+    assert task("stack").fingerprint(0, read_robot(file)) != before
 
 
 @pytest.mark.parametrize(

@@ -211,6 +211,17 @@ def test_bad_input_is_named_and_harms_nothing(tmp_path: Path) -> None:
         collect(CollectConfig("pick-place", tmp_path / "data", 2, workers=1))
 
 
+def test_a_damaged_episode_does_not_count(tmp_path: Path) -> None:
+    config = CollectConfig("stack", tmp_path / "data", 2, workers=1, images=False)
+    collect(config)
+    path = EpisodeStore.open(config.out).episode_path(1)
+    path.write_bytes(path.read_bytes()[:3000])
+    with pytest.raises(DatasetError, match=r"00000001\.safetensors.*delete it"):
+        collect(config)
+    path.unlink()
+    assert collect(config).new == 1
+
+
 def test_a_foreign_file_among_the_episodes_is_named(tmp_path: Path) -> None:
     collect(CollectConfig("stack", tmp_path / "data", 1, workers=1))
     shutil.copy(__file__, tmp_path / "data" / "episodes" / "00000099.safetensors")

@@ -72,12 +72,29 @@ def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
         cup(0.005, 0.1, (1, 0, 0, 1))
     with pytest.raises(ModelError, match=r"SWAP: `draw` gives a tuple, where a Problem is wanted"):
         replace(swap.SWAP, draw=lambda rng: (problem, rng)).problem(0)
+    with pytest.raises(ModelError, match=r"a problem's poses hold \(0, 0, 0\), a tuple, where Pose is wanted"):
+        replace(problem, poses=dict.fromkeys(problem.poses, (0, 0, 0)))
+    with pytest.raises(ModelError, match=r"a problem's goal hold 'On\(cup, left\)', a str, where Atom is wanted"):
+        replace(problem, goal=frozenset({"On(cup, left)"}))
+    with pytest.raises(ModelError, match="one has none"):
+        replace(swap.SCENE, movables=(replace(swap.SCENE.movables[0], name=""), *swap.SCENE.movables[1:]))
+    with pytest.raises(ModelError, match=r"the goal has block and cup on tray, which carries one thing"):
+        require_consistent(frozenset({On("cup", "tray"), On("block", "tray")}), {"tray"})
+    require_consistent(frozenset({On("cup", "tray"), On("block", "tray")}))  # furniture carries any number
+    with pytest.raises(ModelError, match=r"the horizon is a number of steps, not '600'"):
+        replace(swap.SWAP, horizon="600")
+    drawn = iter(range(100))
+    restless = replace(swap.SWAP, draw=lambda rng: replace(problem, variant=str(next(drawn))))
+    with pytest.raises(ModelError, match="another problem each time for one seed; draw with its rng alone"):
+        restless.fingerprint(0)
     together = replace(problem, poses=dict.fromkeys(problem.poses, problem.poses["cup"]))
     overlapping = replace(swap.SWAP, draw=lambda rng: together)
     with pytest.raises(ModelError, match=r"cup and block overlap by \d+ mm|block and cup overlap by \d+ mm"):
         ManipulationEnv(overlapping, images=False).reset(seed=0)
-    with pytest.raises(UnknownNameError, match="NOTHING"):
+    with pytest.raises(UnknownNameError, match=r"NOTHING'; valid: .*swap_task:SWAP"):
         task("swap_task:NOTHING")
+    with pytest.raises(UnknownNameError, match="Empty module name"):
+        task(":NOTHING")
 
 
 CONTRADICTIONS = {

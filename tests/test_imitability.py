@@ -9,7 +9,7 @@ import pytest
 from optimus.cli.demonstrations import imitability as command
 from optimus.collect import CollectConfig, collect
 from optimus.data.describe import describe
-from optimus.data.imitability import imitability
+from optimus.data.imitability import compared, imitability
 from optimus.data.store import EpisodeStore
 from optimus.demonstrate import ExpertConfig
 from optimus.errors import DatasetError, OptimusError
@@ -106,5 +106,9 @@ def test_what_cannot_be_compared_is_said(tmp_path: Path) -> None:
         other.write(make_episode(seed, cameras=()))
     with pytest.raises(DatasetError, match="position_scale"):
         imitability(other.path)
+    more, fewer = made(tmp_path / "more", 0.01).path, made(tmp_path / "fewer", 0.01, episodes=8).path
+    assert [score.episodes for score in compared([more, fewer])] == [8, 8]
+    with pytest.raises(DatasetError, match=r"of several tasks \(circle, square\)"):
+        command((more, EpisodeStore.create(tmp_path / "circle", "circle", (), {}).path))
     with pytest.raises(OptimusError, match="at least one DATASET"):
         command(())

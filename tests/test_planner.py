@@ -14,6 +14,7 @@ from optimus.data.episode import Episode
 from optimus.demonstrate import ExpertConfig, demonstrate
 from optimus.env import ManipulationEnv
 from optimus.expert import PlanFollower, TimeLaw
+from optimus.kinematics import Kinematics
 from optimus.logic import Atom
 from optimus.motion.lines import distance
 from optimus.motion.plan import Infeasible, Plan
@@ -21,12 +22,14 @@ from optimus.objects.furniture import bin_of, box_open_in_front
 from optimus.objects.shapes import Part, block, cylinder, slab
 from optimus.planner import OUT_OF_TIME, Budget, _out_of_time, solve
 from optimus.predicates import On, Released, facts_of
+from optimus.robots import PANDA
 from optimus.rollout import Perturbation, rollout
 from optimus.scene import Fixture, Movable
 from optimus.se3 import Pose, error_between
 from optimus.skills import Workspace
 from optimus.tasks import task
 from optimus.validate import validate
+from optimus.world import compile_scene
 
 WOOD = (0.5, 0.4, 0.3, 1.0)
 
@@ -224,6 +227,25 @@ def test_a_plan_is_given_up_by_a_count_that_is_the_same_wherever_it_is_made() ->
     took = plan.stats["effort"]
     assert isinstance(answers(took), Plan)
     assert isinstance(answers(took // 2), Infeasible)
+
+
+@pytest.mark.parametrize("base", [(-0.9, 0.0, 0.0), (9.0, 0.0, 0.0)])
+def test_what_no_arm_of_that_length_comes_to_is_said_at_once(base: tuple[float, float, float]) -> None:
+    env = ManipulationEnv(task("stack"), images=False, robot=replace(PANDA, base_pos=base))
+    env.reset(seed=0)
+    workspace = Workspace(env.world)
+    found = solve(workspace, env.state(), env.problem.goal, np.random.default_rng(0))
+    assert str(found) == "out of reach at pick(cubeA), in the way: its joint limits"
+    assert workspace.effort == 0
+
+
+def test_an_arm_s_span_is_no_less_than_it_reaches() -> None:
+    for arm in (PANDA, replace(PANDA, base_pos=(0.2, -0.1, 0.3), base_quat=(0.8, 0.0, 0.6, 0.0))):
+        kinematics = Kinematics(compile_scene(task("stack").problem(0, arm).scene))
+        shoulder, far = kinematics.span
+        rng = np.random.default_rng(0)
+        reached = [np.linalg.norm(kinematics.fk(q).pos - shoulder) for q in rng.uniform(kinematics.low, kinematics.high, (3000, 7))]
+        assert 0.75 * far < max(reached) <= far
 
 
 def test_a_goal_that_no_skill_reaches() -> None:

@@ -93,6 +93,19 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
         EpisodeStore.open(tmp_path)
 
 
+def test_episodes_without_their_description_are_left_alone(store: EpisodeStore) -> None:
+    """How they were made stood there: others would be mixed with them."""
+    store.write(make_episode(1))
+    (store.path / "dataset.json").write_text("{")
+    with pytest.raises(DatasetError, match="put back a copy"):
+        EpisodeStore.open(store.path)
+    (store.path / "dataset.json").unlink()
+    with pytest.raises(DatasetError, match=r"holds no dataset\.json, so nobody knows"):
+        EpisodeStore.create(store.path, "square", CAMERAS, SETTINGS)
+    store.episode_path(1).unlink()
+    EpisodeStore.create(store.path, "square", CAMERAS, SETTINGS)  # as an interrupted beginning leaves it
+
+
 @pytest.mark.parametrize("kept", [0, 5, 200, -1])
 def test_a_file_cut_short_is_named(store: EpisodeStore, kept: int) -> None:
     store.write(make_episode(1))

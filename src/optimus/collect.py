@@ -188,7 +188,7 @@ def collect(config: CollectConfig, progress: Callable[[Tally], None] = lambda ta
     at is done again; when the disk is full, `StorageError` says so, and what has been written stays.
     """
     began, store = time.perf_counter(), open_dataset(config)
-    tally = Tally(config.episodes, had=len(store.seeds))
+    tally = Tally(config.episodes, had=len(store.headers()))  # a damaged one is named before it counts
     if tally.had > config.episodes:
         raise DatasetError(f"{config.out} already holds {tally.had} episodes, more than the {config.episodes} asked for")
     broken, over = 0, False

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
@@ -45,6 +46,22 @@ def _pieces(value: Any) -> Iterator[bytes]:
 
 
 def _content(source: str) -> str:
-    """What is in the file; the name, where it is that of a model that is fetched, whose hash is pinned."""
+    """What is in the file and in those that it includes; the name, where it is that of a model that is fetched, whose hash is
+    pinned."""
     path = Path(source)
-    return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else source
+    if not path.is_file():
+        return source
+    digest = hashlib.sha256()
+    for file in _with_included(path, path.parent, set()):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def _with_included(file: Path, beside: Path, seen: set[Path]) -> Iterator[Path]:
+    """An MJCF file, and those it includes, which lie beside the first."""
+    if file.resolve() in seen or not file.is_file():
+        return
+    seen.add(file.resolve())
+    yield file
+    for name in re.findall(rb"<include\s+file\s*=\s*[\"']([^\"']+)[\"']", file.read_bytes()):
+        yield from _with_included(beside / name.decode(), beside, seen)

@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import combinations
 from typing import Any
 
 from optimus.errors import ModelError
 from optimus.logic import Facts, Predicate
-from optimus.predicates import HandEmpty, Holding, On, Open, Released, Shut
+from optimus.predicates import Clear, HandEmpty, Holding, On, Open, Released, Shut
 
 
-def require_consistent(goal: Facts) -> None:
-    """`ModelError` that names two facts of a goal which cannot hold at the same time, if there are such."""
+def require_consistent(goal: Facts, movable: Collection[str] = ()) -> None:
+    """`ModelError` that names two facts of a goal which cannot hold at the same time, if there are such; a `movable` thing carries
+    one other."""
     kinds = (On, Holding, Released, Open, Shut)
     named: dict[Predicate, list[Any]] = {kind: [a.args for a in sorted(goal) if a.predicate == kind.name] for kind in kinds}
     for (a, at), (b, other) in combinations(named[On], 2):
         if a == b:
             raise ModelError(f"the goal has {a} on {at} and on {other} at once")
+        if at == other and at in movable:
+            raise ModelError(f"the goal has {a} and {b} on {at}, which carries one thing: what can be moved does")
+    for a, at in named[On]:
+        if at in movable and Clear(at) in goal:
+            raise ModelError(f"the goal has {a} on {at}, and nothing on it")
     _require_ground(dict(named[On]))
     for (door,) in named[Open]:
         if (door,) in named[Shut]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 from typing import Protocol
 
 import frankik
@@ -78,6 +79,21 @@ class Kinematics:
         mujoco.mj_comPos(model, data)
         mujoco.mj_jacSite(model, data, self._jacp, self._jacr, self.world.tcp_site)
         return self._jac[:, self._arm_dof].copy()
+
+    @cached_property
+    def span(self) -> tuple[Array, float]:
+        """A point of the arm's first joint `(3,)` [m], and how far from it the tcp is at most [m]: with all that lies between them
+        stretched out."""
+        model, tcp = self.world.model, self.world.tcp_site
+        joints = [int(j) for j in model.dof_jntid[self.world.arm_dof]]
+        far, body = float(np.linalg.norm(model.site_pos[tcp])), int(model.site_bodyid[tcp])
+        while body != model.jnt_bodyid[joints[0]]:
+            far, body = far + float(np.linalg.norm(model.body_pos[body])), int(model.body_parentid[body])
+        far += sum(2.0 * float(np.linalg.norm(model.jnt_pos[j])) for j in joints)
+        slides = [j for j in joints if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_SLIDE]
+        far += sum(float(np.ptp(model.jnt_range[j])) for j in slides)
+        self.fk(self.home)
+        return self._data.xanchor[joints[0]].copy(), far
 
     def within_limits(self, q: Array) -> bool:
         return bool((q >= self.low).all() and (q <= self.high).all())

@@ -12,9 +12,10 @@ import numpy as np
 
 from optimus.errors import require_at_least
 from optimus.logic import Atom, Facts, Operator, Skeleton, obstructs, skeletons
+from optimus.motion.lines import UNREACHABLE
 from optimus.motion.plan import Infeasible, Plan, Step
 from optimus.objects.shapes import stands, unrolled
-from optimus.predicates import On, Released, facts_of, holds
+from optimus.predicates import Holding, On, Released, facts_of, holds
 from optimus.scene import Scene
 from optimus.se3 import Pose
 from optimus.skills import SKILLS, Workspace
@@ -23,8 +24,10 @@ from optimus.skills.place import Place
 from optimus.skills.skill import OutOfTime, Purpose
 from optimus.state import State
 
-REACH = {"its joint limits", "the workspace's edge"}
+REACH = {UNREACHABLE.b, "the workspace's edge"}
 """What limits the arm where nothing is in its way."""
+WITHIN = 0.05
+"""A hand takes a thing no further from its surface than this [m]."""
 OUT_OF_TIME = "planning time spent"
 
 
@@ -94,7 +97,7 @@ class _Binding:
             if tried + 1 >= self.budget.refinements:
                 break
             self.workspace.failures.clear()
-        blame, in_vain = self._blame(operator), bool(answers) and not any(answers)
+        blame, in_vain = self.blame_on(operator), bool(answers) and not any(answers)
         if in_vain:
             self.vain[case] = blame
         self.beyond_help = operator.args[0] if in_vain else None
@@ -115,7 +118,8 @@ class _Binding:
     def _refinements(self, operator: Operator, state: State) -> Iterator[tuple[tuple, State]]:
         return SKILLS[operator.skill].refine(self.workspace, state, operator.args, self.rng)
 
-    def _blame(self, operator: Operator) -> Counter[str]:
+    def blame_on(self, operator: Operator) -> Counter[str]:
+        """What was in the way of it lately."""
         names = [name for _, blocked in self.workspace.failures for name in (blocked.a, blocked.b)]
         return Counter(n for n in names if n not in ("robot", *operator.args[:1]))
 
@@ -185,6 +189,8 @@ def solve(
     workspace.most = effort_before + min(effort, math.inf if budget.effort is None else budget.effort)
     state = _as_seen(workspace.scene, state)
     facts, learned = _facts(workspace.scene, state, goal), frozenset()
+    if far := _far_off(workspace, state, goal - facts):
+        return far
     ground_operators = operators_of(workspace, facts)
     failed: set[tuple[str, ...]] = set()
     last = Infeasible("no sequence of skills reaches the goal")
@@ -211,6 +217,19 @@ def solve(
             of_goal = last
         learned = learned | _lesson(binding, workspace, learned)
     return last if of_goal is None else of_goal
+
+
+def _far_off(workspace: Workspace, state: State, wanted: Facts) -> Infeasible | None:
+    """What is to be taken and lies where no arm of this length comes, if anything does: all else would only be tried in vain."""
+    shoulder, far = workspace.kinematics.span
+    for atom in sorted(wanted):
+        thing = atom.args[0]
+        if atom.predicate not in (On.name, Holding.name) or thing not in state.poses or (state.held and state.held.name == thing):
+            continue
+        size = float(np.linalg.norm(workspace.scene.shape_of(thing).half_extents)) + WITHIN
+        if float(np.linalg.norm(state.poses[thing].pos - shoulder)) - size > far:
+            return Infeasible("out of reach", Pick.name, (thing,), (UNREACHABLE.b,))
+    return None
 
 
 def _fixed_in_the_way(binding: _Binding, failure: Infeasible, goal: Facts) -> bool:
@@ -273,11 +292,13 @@ def _out_of_time(last: Infeasible) -> Infeasible:
 
 
 def _explain(binding: _Binding) -> Infeasible:
-    o = binding.aim or binding.culprit
-    if o is None:
-        o = binding.trying
-        return Infeasible(OUT_OF_TIME, o.skill, o.args) if o else Infeasible(OUT_OF_TIME)
-    blockers = tuple(name for name, _ in binding.blame.most_common())
+    o, blame = binding.aim or binding.culprit, binding.blame
+    if o is None:  # time was spent on the very first skill
+        if (o := binding.trying) is None:
+            return Infeasible(OUT_OF_TIME)
+        if not (blame := binding.blame_on(o)):
+            return Infeasible(OUT_OF_TIME, o.skill, o.args)
+    blockers = tuple(name for name, _ in blame.most_common())
     reason = "no room" if binding.aim or not blockers else "no collision-free way"
     if blockers and REACH.issuperset(blockers):
         reason = "out of reach"

@@ -133,6 +133,8 @@ class Scene:
         things = Counter(thing.name for thing in (*self.fixtures, *self.movables, *self.doors))
         if twice := sorted(name for name, times in things.items() if times > 1):
             raise ModelError(f"a scene's things have names of their own; of one name there is more than one: {', '.join(twice)}")
+        if "" in things:
+            raise ModelError("a scene's things have names of their own; one has none")
         eyes = Counter([WRIST_CAMERA, *(c.name for c in self.cameras)])
         if twice := sorted(name for name, times in eyes.items() if times > 1):
             raise ModelError(f"of the name {twice[0]!r} there is more than one camera; name the new one otherwise")

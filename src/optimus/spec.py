@@ -84,6 +84,9 @@ def _add_door(spec: mujoco.MjSpec, root: mujoco.MjsBody, door: Door) -> None:
     )
 
 
+_OPTIONS = tuple(name for name in dir(mujoco.MjSpec().option) if not name.startswith("_"))
+
+
 def world_spec(scene: Scene) -> mujoco.MjSpec:
     """The scene with its robot attached, ready to compile."""
     spec = mujoco.MjSpec()
@@ -95,7 +98,10 @@ def world_spec(scene: Scene) -> mujoco.MjSpec:
         quat = look_at(camera.pos, camera.target)
         spec.worldbody.add_camera(name=camera.name, pos=camera.pos, quat=quat, fovy=camera.fovy)
     frame = spec.worldbody.add_frame(pos=scene.robot.base_pos, quat=scene.robot.base_quat)
-    frame.attach_body(root_body(robot_spec(scene.robot), scene.robot.hand), ROBOT_PREFIX, "")
+    robot = robot_spec(scene.robot)
+    for name in _OPTIONS:  # the world's hold for both; where they differ MuJoCo says so every time
+        setattr(robot.option, name, getattr(spec.option, name))
+    frame.attach_body(root_body(robot, scene.robot.hand), ROBOT_PREFIX, "")
     return spec
 
 

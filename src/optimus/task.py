@@ -12,7 +12,7 @@ from optimus.data.episode import TASKS_OWN
 from optimus.errors import ModelError, require_at_least
 from optimus.fingerprint import fingerprint
 from optimus.goals import require_consistent
-from optimus.logic import Facts
+from optimus.logic import Atom, Facts
 from optimus.objects.shapes import Shape
 from optimus.predicates import PREDICATES, On, Released, achieved, kinds_of
 from optimus.robots import Robot
@@ -40,6 +40,9 @@ class Problem:
         movable = set(self.scene.movable_names)
         if set(self.poses) != movable:
             raise ModelError(f"a problem's poses are those of its movables: {sorted(movable)}, not {sorted(self.poses)}")
+        for what, values, kind in (("poses", self.poses.values(), Pose), ("goal", self.goal, Atom)):
+            if wrong := next((v for v in values if not isinstance(v, kind)), None):
+                raise ModelError(f"a problem's {what} hold {wrong!r}, a {type(wrong).__name__}, where {kind.__name__} is wanted")
         known = {*movable, *self.scene.fixture_poses, *(d.name for d in self.scene.doors)}
         unknown = sorted({name for atom in self.goal for name in atom.args} - known)
         if unknown:
@@ -53,7 +56,7 @@ class Problem:
                     raise ModelError(f"{atom} is asked for, but {name} is no {kind}; those are {', '.join(kinds[kind]) or 'none'}")
         for name in sorted({atom.args[0] for atom in self.goal if atom.predicate == On.name}):
             _require_spanned(self.scene, name)
-        require_consistent(self.goal)
+        require_consistent(self.goal, movable)
 
     @cached_property
     def instruction(self) -> str:
@@ -113,6 +116,8 @@ class Task:
     """Problems that tell an edited task from what it was."""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.horizon, int):
+            raise ModelError(f"{self.name}: the horizon is a number of steps, not {self.horizon!r}")
         require_at_least(1, horizon=self.horizon)
 
     @property
@@ -145,6 +150,8 @@ class Task:
     def fingerprint(self, seed: int, robot: Robot | None = None) -> str:
         """Sixteen hexadecimal digits that are others once what is drawn for the first few seeds from `seed` on has been edited: the
         task, the robot's file or an object."""
+        if fingerprint(self.problem(seed, robot)) != fingerprint(self.problem(seed, robot)):
+            raise ModelError(f"{self.name}: `draw` gives another problem each time for one seed; draw with its rng alone")
         return fingerprint([self.problem(seed + i, robot) for i in range(self.fingerprinted)])
 
 

@@ -183,11 +183,11 @@ def imitability(datasets: Datasets, json: Json = False) -> None:
 
     Try: optimus imitability data/stack data/stack-sampled
     """
-    from optimus.data.imitability import imitability as score
+    from optimus.data.imitability import compared
 
     if not datasets:
         raise OptimusError("name at least one DATASET, a folder of `optimus collect`")
-    results = {str(path): score(path) for path in datasets}
+    results = dict(zip(map(str, datasets), compared(datasets), strict=True))
     rows = [f"{'':<26}{'episodes':>9}{'steps':>7}{'drift mm':>10}{'doubt':>7}{'alike mm':>10}{'compared':>10}"]
     for name, r in results.items():
         score = f"{1e3 * r.drift:>10.1f}{r.doubt:>7.2f}{1e3 * r.alike:>10.1f}{r.compared:>10.0%}"

@@ -62,12 +62,12 @@ def write_json(path: Path, value: Any) -> None:
     write_whole(path, (json.dumps(value, indent=2) + "\n").encode())
 
 
-def read_record(path: Path, keys: tuple[str, ...] = ()) -> dict[str, Any]:
-    """What `write_json` wrote; `DatasetError` where it cannot be read or lacks one of the `keys`."""
+def read_record(path: Path, keys: tuple[str, ...] = (), remedy: str = "remove it and do again what made it") -> dict[str, Any]:
+    """What `write_json` wrote; `DatasetError`, with the `remedy`, where it cannot be read or lacks one of the `keys`."""
     try:
         found = dict(json.loads(path.read_text()))
     except (OSError, ValueError, TypeError) as error:
-        raise DatasetError(f"cannot read {path} ({error}); remove it and do again what made it") from error
+        raise DatasetError(f"cannot read {path} ({error}); {remedy}") from error
     if missing := [key for key in keys if key not in found]:
         raise DatasetError(f"{path} lacks {', '.join(missing)}: not of this program, or damaged; name another folder, or remove it")
     return found

@@ -79,10 +79,21 @@ class _Steps:
 
 def imitability(path: Path | str) -> Imitability:
     """The score of the dataset at `path`: of the episodes that its curation keeps, or of all where it has none."""
-    store = EpisodeStore.open(path)
-    seeds = load_curation(path).kept if (store.path / CURATION_FILE).exists() else store.seeds
-    chosen = np.unique(np.linspace(0, len(seeds) - 1, min(MOST, len(seeds))).astype(int))
-    return imitability_of([store.header(seeds[i]) for i in chosen], _units(store))
+    return compared([path])[0]
+
+
+def compared(paths: Sequence[Path | str]) -> list[Imitability]:
+    """The scores of datasets of one task, over equally many episodes of each: more lie closer together."""
+    stores = [EpisodeStore.open(path) for path in paths]
+    if len(tasks := sorted({store.task for store in stores})) > 1:
+        raise DatasetError(f"these are of several tasks ({', '.join(tasks)}), which cannot be compared; name datasets of one")
+    seeds = [load_curation(s.path).kept if (s.path / CURATION_FILE).exists() else s.seeds for s in stores]
+    most = min(MOST, *map(len, seeds))
+    chosen = [np.unique(np.linspace(0, len(of) - 1, most).astype(int)) for of in seeds]
+    return [
+        imitability_of([store.header(of[i]) for i in some], _units(store))
+        for store, of, some in zip(stores, seeds, chosen, strict=True)
+    ]
 
 
 def imitability_of(headers: Sequence[EpisodeHeader], units: Array) -> Imitability:

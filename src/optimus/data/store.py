@@ -64,7 +64,7 @@ class EpisodeStore:
             store.require_problems(problems)
             return store
         if path.exists() and (not path.is_dir() or _strangers(path)):
-            raise DatasetError(f"{path} is not empty and holds no dataset.json; name a new or empty folder")
+            raise DatasetError(f"{path} is not empty and holds no {DESCRIPTION}, so nobody knows what is in it; name a new folder")
         for folder in (path, path / "episodes", path / "failures"):
             make_folder(folder)
         description = {
@@ -195,7 +195,7 @@ def _read_description(path: Path) -> dict[str, Any]:
     file = path / DESCRIPTION
     if not file.exists():
         raise DatasetError(f"{path} is not a dataset (no dataset.json); collect one, or name the folder of one")
-    value = read_record(file)
+    value = read_record(file, remedy="put back a copy, or collect into another folder: it says how the episodes were made")
     if value.get("format") != DATASET_FORMAT:
         raise DatasetError(f"{file} does not describe a dataset of this program; name another folder")
     if value.get("version") != VERSION or not {"task", "cameras", "config"} <= value.keys():
@@ -215,9 +215,10 @@ def _seeds(folder: Path, pattern: re.Pattern[str]) -> tuple[int, ...]:
 
 
 def _strangers(path: Path) -> bool:
-    """Whether a folder holds anything but what an interrupted `create` leaves."""
-    ours = {"episodes", "failures"}
-    return any(p.name not in ours and not is_leftover(p) for p in path.iterdir())
+    """Whether a folder holds anything but what an interrupted `create` leaves: episodes, say, that were made nobody knows how."""
+    inside = [path, *(folder for name in ("episodes", "failures") if (folder := path / name).is_dir())]
+    ours = set(inside[1:])
+    return any(p not in ours and not is_leftover(p) for folder in inside for p in folder.iterdir())
 
 
 def _range_text(seeds: tuple[int, ...]) -> str:

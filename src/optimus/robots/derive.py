@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from optimus.errors import RobotFileError
-from optimus.robots.model import robot_spec
+from optimus.robots.model import robot_spec, weld_others
 from optimus.robots.robot import Robot
 from optimus.robots.urdf import urdf_speeds
 from optimus.se3 import Pose
@@ -36,17 +36,53 @@ def derive(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> Robot:
     robot = replace(robot, camera_pos=eye, camera_target=target)
     if {"shut", "open"} - set(given):
         robot = _with_travel(robot, spec, given)
+    if both := sorted({*robot.joints} & {*robot.fingers}):
+        raise RobotFileError(f"{', '.join(both)} stands in joints and in gripper.joints: a joint is the arm's or a finger's")
     if min(abs(o - s) for o, s in zip(robot.finger_open, robot.finger_shut, strict=True)) < 1e-4:
         raise RobotFileError("the fingers do not move: gripper.shut and gripper.open are the same")
-    try:
-        model = robot_spec(robot).compile()
-    except ValueError as error:
-        raise RobotFileError(f"the model does not compile: {' '.join(str(error).split())}") from error
+    model = _compiled(robot_spec(robot))
     data = mujoco.MjData(model)
+    _require_a_hand(robot, model, data)
     _require_home_within(robot, model)
     if robot.gripper_actuator is not None:
         robot = replace(robot, actuator_travel=_actuator_travel(robot, robot.gripper_actuator, model, data))
     return replace(robot, untouching=_touching_at_home(robot, model, data))
+
+
+def _compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
+    """The model of `spec`; `RobotFileError` where MuJoCo finds a fault in it."""
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise RobotFileError(f"the model does not compile: {' '.join(str(error).split())}") from error
+
+
+def _require_a_hand(robot: Robot, model: mujoco.MjModel, data: mujoco.MjData) -> None:
+    """`RobotFileError` unless the hand hangs on the arm's last joint, the fingers on the hand or beside it, and they shut."""
+    last = robot.joints[-1]
+    moved = int(model.joint(last).bodyid[0])
+    for what, bodies in (("hand", [robot.hand]), ("gripper.bodies", robot.finger_bodies)):
+        for name in bodies:
+            if moved not in _up_from(model, int(model.body(name).id)):
+                raise RobotFileError(f"{what}: {name} is not moved by {last}, the arm's last joint")
+    for key, values in (("shut", robot.finger_shut), ("open", robot.finger_open)):
+        for name, value in zip(robot.fingers, values, strict=True):
+            joint = model.joint(name)
+            low, high = (float(v) for v in joint.range)
+            if low < high and model.jnt_limited[joint.id] and not low - 1e-4 <= value <= high + 1e-4:
+                raise RobotFileError(f"gripper.{key}: {value:g} is outside the range of {name}, {low:g} to {high:g} m")
+    shut, wide = (_gap(robot, model, data, pair) for pair in (robot.finger_shut, robot.finger_open))
+    if wide <= shut:
+        raise RobotFileError(f"the fingers are {1000 * shut:.0f} mm apart at gripper.shut and {1000 * wide:.0f} at gripper.open")
+
+
+def _up_from(model: mujoco.MjModel, body: int) -> set[int]:
+    """A body and all that it hangs on, but the world."""
+    chain: set[int] = set()
+    while body:
+        chain.add(body)
+        body = int(model.body_parentid[body])
+    return chain
 
 
 def _from_tool(robot: Robot, point: tuple[float, float, float]) -> tuple[float, float, float]:
@@ -55,9 +91,13 @@ def _from_tool(robot: Robot, point: tuple[float, float, float]) -> tuple[float, 
 
 
 def _torque(spec: mujoco.MjSpec, name: str) -> float:
+    """What the joint allows, else its actuator: its force, or what a motor is told at most, times its gear."""
     limit = float(np.abs(spec.joint(name).actfrcrange).max())
-    of_actuators = [float(np.abs(a.forcerange).max()) for a in spec.actuators if a.target == name]
-    return next((value for value in (limit, *of_actuators) if value > 0.0), TORQUE)
+    drives = [a for a in spec.actuators if a.target == name]
+    forces = [float(np.abs(a.forcerange).max() * abs(a.gear[0])) for a in drives]
+    motors = [a for a in drives if a.biastype == mujoco.mjtBias.mjBIAS_NONE and a.gaintype == mujoco.mjtGain.mjGAIN_FIXED]
+    told = [float(np.abs(a.ctrlrange).max() * abs(a.gainprm[0] * a.gear[0])) for a in motors]
+    return next((value for value in (limit, *forces, *told) if value > 0.0), TORQUE)
 
 
 def _with_travel(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> Robot:
@@ -70,7 +110,8 @@ def _with_travel(robot: Robot, spec: mujoco.MjSpec, given: Collection[str]) -> R
     ranges = [tuple(float(v) + 0.0 for v in spec.joint(name).range) for name in robot.fingers]
     if any(low == high for low, high in ranges):
         raise RobotFileError("the finger joints have no range: give gripper.shut and gripper.open")
-    model = spec.compile()
+    weld_others(spec, {*robot.joints, *robot.fingers})
+    model = _compiled(spec)
     data = mujoco.MjData(model)
     first, second = ranges
     # of the pairs of ends, the widest apart is open; each finger's other end is shut

@@ -107,6 +107,8 @@ def _two(gripper: _Table, key: str, prefix: str) -> tuple[str, str]:
 
 def _mount(gripper: _Table, folder: Path) -> Mount | None:
     if "model" not in gripper.raw:
+        if "mount" in gripper.raw:
+            raise RobotFileError("gripper.mount says where a gripper of its own goes, but gripper.model names none")
         return None
     place = gripper.table("mount")
     if not place.raw:

@@ -81,7 +81,7 @@ def root_body(spec: mujoco.MjSpec, body: str) -> mujoco.MjsBody:
 def robot_spec(robot: Robot) -> mujoco.MjSpec:
     """The robot's model with torque motors, a strong gripper, grippy pads, a tcp site and a wrist camera."""
     spec = assemble(robot.source, robot.mount)
-    _weld_others(spec, {*robot.joints, *robot.fingers})
+    weld_others(spec, {*robot.joints, *robot.fingers})
     _drive_arm(spec, robot)
     _drive_gripper(spec, robot)
     for name in robot.finger_bodies:
@@ -102,7 +102,7 @@ def robot_spec(robot: Robot) -> mujoco.MjSpec:
     return spec
 
 
-def _weld_others(spec: mujoco.MjSpec, used: set[str]) -> None:
+def weld_others(spec: mujoco.MjSpec, used: set[str]) -> None:
     """Joints that the robot does not name stay where they are; what refers to them goes with them."""
     gone = {joint.name for joint in spec.joints if joint.name not in used}
     if not gone:
@@ -197,10 +197,11 @@ def _gear(spec: mujoco.MjSpec, robot: Robot) -> None:
 
 
 def _grip(spec: mujoco.MjSpec, finger: mujoco.MjsBody, robot: Robot) -> None:
-    """Make the finger's contacts stiff and rough, and give it the robot's pad, if that has one."""
+    """Make the finger's contacts stiff and rough, and give it the robot's pad, if that has one: the primitive shapes that touched
+    before are still seen, and weigh what they did."""
     if robot.pad_pos is not None:
-        for geom in [g for g in finger.geoms if g.type == mujoco.mjtGeom.mjGEOM_BOX]:
-            spec.delete(geom)
+        for geom in [g for g in finger.geoms if g.type != mujoco.mjtGeom.mjGEOM_MESH]:
+            geom.contype = geom.conaffinity = 0
         box = mujoco.mjtGeom.mjGEOM_BOX
         finger.add_geom(type=box, pos=robot.pad_pos, size=robot.pad_half, mass=0.0, group=3)
     for geom in finger.geoms:

@@ -55,10 +55,13 @@ def _named(name: str) -> Task:
     if not attribute:
         raise UnknownNameError("task", name, TASKS)
     try:
-        found = getattr(import_module(module), attribute)
-    except (ImportError, AttributeError) as error:
-        hint = f"; put its folder into PYTHONPATH: {error}" if isinstance(error, ModuleNotFoundError) else f": {error}"
+        names = vars(import_module(module))
+    except (ImportError, ValueError) as error:
+        away = isinstance(error, ModuleNotFoundError) and error.name == module.partition(".")[0]
+        hint = f"; put its folder into PYTHONPATH: {error}" if away else f": {error}"
         raise UnknownNameError("task", f"{name} (module:NAME{hint})", TASKS) from error
-    if not isinstance(found, Task):
+    if attribute not in names:
+        raise UnknownNameError("task", name, [f"{module}:{key}" for key, value in names.items() if isinstance(value, Task)])
+    if not isinstance(found := names[attribute], Task):
         raise UnknownNameError("task", f"{name} (a {type(found).__name__}, not a Task)", TASKS)
     return found if found.name == name else replace(found, name=name)  # what records call it must lead back to it
