@@ -49,7 +49,7 @@ def planning_shares(config: BenchConfig) -> dict[str, Any]:
             env.reset(seed=seed)
             before = looks.copy()
             spent += plan_for(env, seed, ExpertConfig()).seconds
-            planning += looks - before
+            planning += looks.copy() - before  # in one piece: a look may come between
             plans += 1
             if spent >= (SECONDS if plans >= SEEDS else SECONDS_FOR_SLOW):
                 break

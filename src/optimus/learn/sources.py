@@ -48,6 +48,7 @@ class Lessons:
     train: Windows
     validation: Windows
     position_scale: float | None
+    held_out: Sequence[EpisodeHeader]
     about: dict[str, Any]
     """What was learned from, JSON-able."""
 
@@ -80,14 +81,25 @@ class Lessons:
         if largest > 1.0 + 1e-4:
             raise DatasetError(f"{first.path} has actions up to {largest:.3g}; policies answer from -1 to 1: scale and import them")
         _require_apart(learned, held_out)
-        _require_new_to(sources.initial, held_out)
         return cls(
             joint_task(store.task for store in stores),
             windows,
             validation,
             first.config.get(POSITION_SCALE),
+            held_out,
             {**_about(stores, curations, extra), STARTS: _starts(learned, sources.initial)},
         )
+
+
+    def require_new_to(self, initial: Path) -> None:
+        """`DatasetError` if the run that training begins with has learned from an initial state that is held out now."""
+        before = learned_starts(initial)
+        both = [h for h in self.held_out if _has_start(h) and h.start in before]
+        if both:
+            raise DatasetError(
+                f"{initial} has learned from {len(both)} of the {len(self.held_out)} initial states held out ({both[0].path}); "
+                "the dataset was curated anew since, or has the same seeds; train without --initial, or collect others with --seed"
+            )
 
 
 def crop_of(datasets: Sequence[Path]) -> int:
@@ -143,17 +155,6 @@ def _require_apart(learned: Sequence[EpisodeHeader], held_out: Sequence[EpisodeH
                 f"{len(both)} of {len(held_out)} held-out episodes {what} ({both[0].path} the first); "
                 "curate all datasets alike, or leave one out"
             )
-
-
-def _require_new_to(initial: Path | None, held_out: Sequence[EpisodeHeader]) -> None:
-    """`DatasetError` if the run that training begins with has learned from an initial state that is held out now."""
-    before = set() if initial is None else learned_starts(initial)
-    both = [h for h in held_out if _has_start(h) and h.start in before]
-    if both:
-        raise DatasetError(
-            f"{initial} has learned from {len(both)} of the {len(held_out)} initial states held out ({both[0].path} first); "
-            "the dataset was curated anew since, or has the same seeds; train without --initial, or collect others with --seed"
-        )
 
 
 def _size(header: EpisodeHeader) -> tuple[str, str] | None:

@@ -120,8 +120,9 @@ class _Trainer:
         self.windows, self.validation, self.position_scale = lessons.train, lessons.validation, lessons.position_scale
         inputs = PolicyInputs.of(lessons.task, self.windows, policy_config.aims)
         policy = begun.train() if begun else fresh_policy(policy_config, inputs, config.seed)
-        if begun:
+        if begun and sources.initial:
             require_same_inputs(begun, inputs, sources.initial)
+            lessons.require_new_to(sources.initial)
         else:
             policy.fit_normalisation(self.windows)
         policy.to(ranks.device)
