@@ -74,6 +74,8 @@ def test_what_a_task_can_get_wrong_is_said(swap: ModuleType) -> None:
         replace(swap.SWAP, draw=lambda rng: (problem, rng)).problem(0)
     with pytest.raises(ModelError, match=r"a problem's poses hold \(0, 0, 0\), a tuple, where Pose is wanted"):
         replace(problem, poses=dict.fromkeys(problem.poses, (0, 0, 0)))
+    with pytest.raises(ModelError, match=r"a problem's poses hold None, a NoneType"):
+        replace(problem, poses=dict.fromkeys(problem.poses))
     with pytest.raises(ModelError, match=r"a problem's goal hold 'On\(cup, left\)', a str, where Atom is wanted"):
         replace(problem, goal=frozenset({"On(cup, left)"}))
     with pytest.raises(ModelError, match="one has none"):

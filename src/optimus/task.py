@@ -41,7 +41,7 @@ class Problem:
         if set(self.poses) != movable:
             raise ModelError(f"a problem's poses are those of its movables: {sorted(movable)}, not {sorted(self.poses)}")
         for what, values, kind in (("poses", self.poses.values(), Pose), ("goal", self.goal, Atom)):
-            if wrong := next((v for v in values if not isinstance(v, kind)), None):
+            for wrong in (v for v in values if not isinstance(v, kind)):
                 raise ModelError(f"a problem's {what} hold {wrong!r}, a {type(wrong).__name__}, where {kind.__name__} is wanted")
         known = {*movable, *self.scene.fixture_poses, *(d.name for d in self.scene.doors)}
         unknown = sorted({name for atom in self.goal for name in atom.args} - known)
@@ -150,9 +150,10 @@ class Task:
     def fingerprint(self, seed: int, robot: Robot | None = None) -> str:
         """Sixteen hexadecimal digits that are others once what is drawn for the first few seeds from `seed` on has been edited: the
         task, the robot's file or an object."""
-        if fingerprint(self.problem(seed, robot)) != fingerprint(self.problem(seed, robot)):
+        problems = [self.problem(seed + i, robot) for i in range(self.fingerprinted)]
+        if fingerprint(problems[0]) != fingerprint(self.problem(seed, robot)):
             raise ModelError(f"{self.name}: `draw` gives another problem each time for one seed; draw with its rng alone")
-        return fingerprint([self.problem(seed + i, robot) for i in range(self.fingerprinted)])
+        return fingerprint(problems)
 
 
 def pick_one(objects: Objects, rng: np.random.Generator) -> str:
